@@ -236,6 +236,9 @@ Model chosenParts(const Model& model, const std::string& lines) {
 const ModelPart& partNamed(const Model& model, const std::string& name) {
   for (const ModelPart& part : model.parts)
     if (part.name == name) return part;
+  if (std::ranges::all_of(model.parts, [](const ModelPart& part) { return part.name.empty(); }))
+    throw error("{} has no part '{}', nor any part with a name", model.path,
+                shownText(name, kLongestName));
   throw error("{} has no part '{}'; choose one of: {}", model.path, shownText(name, kLongestName),
               partList(model));
 }

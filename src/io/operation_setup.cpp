@@ -155,11 +155,15 @@ TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readMod
     std::vector<std::string> structures;
     for (const BroughtStructure& one : source.structures)
       if (one.file == source.file) structures.push_back(one.part);
+    const Model model = readModel(source.file, source.part);
     const OrganMesh organ =
-        prepareOrganMesh(readModel(source.file, source.part),
-                         {source.part, source.repair, source.unit, partLines(structures)});
+        prepareOrganMesh(model, {source.part, source.repair, source.unit, partLines(structures)});
     mesh = organ.mesh;
-    if (notes) notes->insert(notes->end(), organ.notes.begin(), organ.notes.end());
+    if (notes) {
+      notes->insert(notes->end(), organ.notes.begin(), organ.notes.end());
+      if (const std::string note = namedStructuresNote(model, source); !note.empty())
+        notes->push_back(note);
+    }
   }
   mesh = hollowed(std::move(mesh), source, readModel, notes);
   if (place && *place) return transformed(std::move(mesh), **place);

@@ -103,6 +103,31 @@ void leaveOutWithin(OrganMesh& organ) {
   organ.health = examine(organ.mesh);
 }
 
+// Components that reach into others, of which the shells say nothing. With very many components,
+// such as those of a tree of vessels, it would take too long.
+void addOverlapNote(OrganMesh& organ) {
+  constexpr int kMost = 32;
+  if (organ.health.components < 2 || organ.health.components > kMost) return;
+  const std::vector<TriangleMesh> bodies = splitComponents(organ.mesh);
+  int through = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    TriangleMesh others;
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+      if (k != i) append(others, bodies[k]);
+    const std::vector<int> rounds = crossingNumbers(others, bodies[i].points);
+    const auto [low, high] = std::ranges::minmax(rounds);
+    // Single points can lie on the other's surface.
+    const auto few = std::ptrdiff_t(rounds.size() / 50);
+    through += std::ranges::count(rounds, low) > few && std::ranges::count(rounds, high) > few &&
+               low != high;
+  }
+  if (through > 0)
+    organ.notes.push_back(fmt::format(
+        "{} component{} into others; what they share counts twice in the volume that is "
+        "told here, and once in the organ",
+        through, through == 1 ? " reaches" : "s reach"));
+}
+
 void addNotes(const OrganMeshOptions& options, OrganMesh& organ) {
   const RepairReport& r = organ.repairs;
   const auto note = [&]<typename... Args>(fmt::format_string<Args...> format, Args&&... args) {
@@ -206,6 +231,7 @@ OrganMesh prepareOrganMesh(const Model& all, const OrganMeshOptions& options) {
                                       : tissueVolume(organ.shells);
   addNotes(options, organ);
   addShellNotes(model, options, organ);
+  addOverlapNote(organ);
   return organ;
 }
 

@@ -23,7 +23,7 @@ struct OrganMeshOptions {
 struct OrganMesh {
   TriangleMesh mesh;  // welded, closed, consistently oriented outwards
   MeshHealth health;  // of `mesh`
-  double volume = 0;  // of its tissue, m^3; cavities are left out, overlaps count once
+  double volume = 0;  // of its tissue, m^3; cavities are left out
   // Of the surface as it was read, if it has more than one. Those of kind Within bound no
   // tissue and are left out of `mesh`, unless they reach through other shells.
   std::vector<Shell> shells;

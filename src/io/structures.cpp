@@ -9,6 +9,7 @@
 #include "anatomy/growth/vessel_growth.h"
 #include "anatomy/thinning/centre_lines.h"
 #include "base/error.h"
+#include "base/text/shown_text.h"
 #include "collision/signed_distance.h"
 #include "geometry/measures.h"
 #include "geometry/repair/crossings.h"
@@ -166,6 +167,22 @@ TriangleMesh hollowed(TriangleMesh organ, const OrganSource& source, const Model
   }
   append(organ, cavities);
   return organ;
+}
+
+std::string namedStructuresNote(const Model& model, const OrganSource& source) {
+  if (!source.part.empty() || !source.structures.empty() || model.parts.size() < 2) return "";
+  std::string options;
+  for (const ModelPart& part : model.parts) {
+    const auto kind = structureKind(part.name);
+    if (!kind || *kind == StructureKind::Parenchyma) continue;
+    const std::string role =
+        fmt::format("{}={}", wordOf(*kind), shownText(part.name, kLongestName));
+    options += " --structure " + (role.find(' ') == role.npos ? role : "\"" + role + "\"");
+  }
+  if (options.empty()) return "";
+  return "all parts are taken for the organ's tissue; some have names of structures, which get "
+         "their roles by" +
+         options;
 }
 
 void addLabels(Discretization& cells, const OrganSource& source, const std::optional<Pose>& place,

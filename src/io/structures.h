@@ -19,6 +19,10 @@ namespace resect {
 TriangleMesh hollowed(TriangleMesh organ, const OrganSource& source, const ModelReader& readModel,
                       std::vector<std::string>* notes);
 
+// A sentence for people if all parts of the model become the organ's body although some have names
+// of structures: it says how these get their roles. Otherwise "".
+std::string namedStructuresNote(const Model& model, const OrganSource& source);
+
 // Adds the source's landmarks, labels and structures to the cells. place: pose of the organ's file
 // in the world; empty for a file of particles. `notes` gets a sentence for each structure that
 // marks so few particles that they hardly show its shape. Throws Error if a label or structure

@@ -241,6 +241,36 @@ class Faults(ScreenTest):
         self.screen.picture("fallen_cut")
         self.assertGreater(cut, 0.5)
 
+    def test_files_of_a_folder_whose_names_tell_nothing_get_roles_in_the_dialog(self):
+        """Two label images: a block of 24 x 24 x 24 voxels of 4 mm, and a ball in it."""
+        def image(name, inside):
+            voxels = " ".join(str(int(inside(x, y, z))) for z in range(30) for y in range(30) for x in range(30))
+            (folder / name).write_text("NRRD0004\ntype: uchar\ndimension: 3\nsizes: 30 30 30\n"
+                                       "space: left-posterior-superior\nspace directions: (4,0,0) (0,4,0) (0,0,4)\n"
+                                       "kinds: domain domain domain\nencoding: ascii\n\n" + voxels)
+
+        folder = FOLDER / "folder"
+        folder.mkdir()
+        image("Leber.nrrd", lambda *at: all(3 <= c < 27 for c in at))
+        image("Rundherd.nrrd", lambda x, y, z: (x - 12) ** 2 + (y - 15) ** 2 + (z - 15) ** 2 < 16)
+        window = self.opened()
+        window.tell(f"open {folder}")
+        self.assertIn("Which one file is the organ?", window.wait("report "))
+        for row, steps in enumerate((1, 2)):  # the organ, tumour
+            window.drain()
+            self.screen.click(*window.places[f"role{row}"])
+            time.sleep(0.3)
+            self.screen.key(*["Down"] * steps, "Return")
+            report = window.wait("report ")
+        self.assertIn("2 label images", report)
+        window.wait("surface turns")
+        self.screen.picture("folder_roles")
+        self.screen.focus("^Open organ$")
+        self.screen.key("Return")
+        window.wait("organ Leber.nrrd")
+        time.sleep(1)
+        self.screen.picture("folder_opened")
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1] + sys.argv[3:], verbosity=2)

@@ -37,7 +37,8 @@ class Person:
     def place(self):
         if self.random.random() < 0.4 and self.window.places:  # where things are
             x, y = self.random.choice(list(self.window.places.values()))
-            return int(x + self.random.gauss(0, 25)), int(y + self.random.gauss(0, 25))
+            x, y = x + self.random.gauss(0, 25), y + self.random.gauss(0, 25)
+            return min(max(int(x), 0), 1239), min(max(int(y), 0), 899)  # an instrument may lie out of the picture
         return self.random.randrange(1240), self.random.randrange(900)
 
     def act(self):

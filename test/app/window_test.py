@@ -40,7 +40,7 @@ class AtTheWindow(ScreenTest):
         window = Window(PROGRAM, self.screen, "--thesis", "--spacing", spacing, "--size", size)
         self.addCleanup(window.quit)
         window.wait("ready")
-        self.screen.focus("^Resect$")
+        self.screen.focus("^Resect")
         return window
 
     def another_organ(self, name):
@@ -92,7 +92,7 @@ class AtTheWindow(ScreenTest):
 
         # The stroke is taken back, and done again.
         window.drain()
-        screen.focus("^Resect$")
+        screen.focus("^Resect")
         screen.key("ctrl+z")
         window.wait("undo")
         self.assertLess(int(window.wait("removed ").split()[1]), removed[-1])
@@ -151,7 +151,7 @@ class AtTheWindow(ScreenTest):
         window.tell(f"save-surface {FOLDER / 'scene.stl'}")
         window.wait("written ")
 
-        screen.focus("^Resect$")
+        screen.focus("^Resect")
         screen.key("space")  # the window's own view, and all instruments in the tool box
         time.sleep(1.5)
         self.assertGreater(difference(saved, screen.picture("9_own_view"), view), 0.2)
@@ -220,7 +220,7 @@ class AtTheWindow(ScreenTest):
         screen.key("Return")
         begun = time.time()
         time.sleep(0.5)
-        screen.focus("^Resect$")
+        screen.focus("^Resect")
         time.sleep(1.5)
         screen.drag(window.places["Scalpel"], (500, 300))
         time.sleep(2)
@@ -238,12 +238,12 @@ class AtTheWindow(ScreenTest):
         window = self.opened()
         scene = FOLDER / "by_dialog.iv"
         screen.click(*window.places["organ"])
-        screen.focus("^Resect$")
+        screen.focus("^Resect")
         screen.key("1")
         window.wait("held Scalpel direct")
 
         def name(dialog, key, file):
-            screen.focus("^Resect$")
+            screen.focus("^Resect")
             screen.key(key)
             screen.focus(f"^{dialog}$")
             screen.key("ctrl+a")

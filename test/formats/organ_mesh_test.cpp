@@ -154,6 +154,22 @@ TEST_CASE("inner shells are told: cavities, and those that face outwards, with t
   CHECK(test::tells(organ.notes[2], "(the largest is the one round (0.085, 0.015, 0.015) m)"));
 }
 
+TEST_CASE("components that reach into each other are told, others are not") {
+  const TriangleMesh a = sphereMesh(Vec3::Zero(), 0.03, 32);
+  TriangleMesh apart = a, through = a, within = a;
+  append(apart, sphereMesh({0.07, 0, 0}, 0.03, 32));
+  append(through, sphereMesh({0.04, 0, 0}, 0.03, 32));
+  append(within, sphereMesh({0.005, 0, 0}, 0.01, 32));
+  const auto notes = [](const TriangleMesh& mesh) {
+    std::string all;
+    for (const std::string& note : prepareOrganMesh(modelOf({{"", mesh}})).notes) all += note;
+    return all;
+  };
+  CHECK(test::tells(notes(through), "2 components reach into others"));
+  CHECK_FALSE(test::tells(notes(apart), "into others"));
+  CHECK_FALSE(test::tells(notes(within), "into others"));
+}
+
 TEST_CASE("a .3mf tells its unit itself, and another one is refused") {
   Model model = modelOf({{"ball", ball()}});
   model.format = "3MF";

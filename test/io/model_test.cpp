@@ -135,4 +135,6 @@ TEST_CASE("parts are left out of a model, whatever else is chosen of it") {
   CHECK(names("without lumen") == "without lumen;");  // which is the name of a part
   CHECK(test::refuses([&] { names("without bone"); }, "has no part 'bone'"));
   CHECK(test::refuses([&] { names("wall\nwithout wall"); }, "no part is left"));
+  const Model nameless{"m.stl", "STL", {{"", sphereMesh(Vec3::Zero(), 1, 8)}}};
+  CHECK(test::refuses([&] { chosenParts(nameless, "wall"); }, "nor any part with a name"));
 }

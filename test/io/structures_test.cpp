@@ -209,6 +209,10 @@ TEST_CASE("a cavity that is a part of the organ's own file is no part of the org
   std::vector<std::string> notes;
   loadOrganMesh(source, readParts, &notes);
   CHECK(test::tells(fmt::format("{}", fmt::join(notes, "\n")), "facing outwards (part 'tumour')"));
+  notes.clear();
+  loadOrganMesh(parseScenario(kStart, "test.toml").organs[0].source, readParts, &notes);
+  CHECK(test::tells(fmt::format("{}", fmt::join(notes, "\n")),
+                    "roles by --structure cavity=lumen --structure tumour=tumour"));
   const std::string tumour =
       "[[organ.structure]]\nkind = \"tumour\"\nfile = \"organ.stl\"\npart = \"tumour\"\n";
   notes.clear();

@@ -1,5 +1,7 @@
 #include "app/loading/organ_report.h"
 
+#include <fmt/format.h>
+
 #include <QJsonArray>
 #include <algorithm>
 #include <cmath>
@@ -7,6 +9,52 @@
 #include "app/say.h"
 
 namespace resect {
+namespace {
+
+// What keeps a part from having a volume; "" if nothing does.
+std::string openEdges(int boundaryEdges) {
+  if (boundaryEdges == 0) return "";
+  return fmt::format("open, {} boundary edge{}", boundaryEdges, boundaryEdges == 1 ? "" : "s");
+}
+
+std::string textIn(const QJsonValue& object, const char* field) {
+  return object[field].toString().toStdString();
+}
+
+// If several files of a folder could be the organ, the whole liver is: "liver" stands beside
+// "liver_segment_1".
+void keepOneOrgan(std::vector<FilePart>& parts) {
+  const auto isOrgan = [](const FilePart& part) { return part.kind == StructureKind::Parenchyma; };
+  if (std::ranges::count_if(parts, isOrgan) < 2) return;
+  for (FilePart& part : parts)
+    if (isOrgan(part) && part.name != "liver" && part.name != "parenchyma") part.kind.reset();
+}
+
+}  // namespace
+
+std::vector<FilePart> fileParts(const QJsonObject& info) {
+  std::vector<FilePart> parts;
+  for (const QJsonValue file : info["files"].toArray())
+    parts.push_back({textIn(file, "name"), textIn(file, "name"), "", textIn(file, "file"),
+                     structureKind(textIn(file, "kind"))});
+  if (!parts.empty()) {
+    keepOneOrgan(parts);
+    return parts;
+  }
+  for (const QJsonValue label : info["labels"].toArray()) {
+    const std::string value = std::to_string(qint64(label["value"].toDouble()));
+    const std::string name = textIn(label, "name");
+    parts.push_back({value, name.empty() ? "label " + value : name,
+                     fmt::format("{:.4g} ml", label["volume_ml"].toDouble()), "",
+                     structureKind(name)});
+  }
+  if (!info.contains("labels"))
+    for (const QJsonValue part : info["part_health"].toArray())
+      parts.push_back({textIn(part, "name"), textIn(part, "name"),
+                       openEdges(part["boundary_edges"].toInt()), "",
+                       structureKind(textIn(part, "name"))});
+  return parts;
+}
 
 QString surfaceReport(const QJsonObject& info, bool roles) {
   const auto count = [&](const char* field, const char* one, const char* many) {
@@ -30,11 +78,6 @@ QString surfaceReport(const QJsonObject& info, bool roles) {
             (roles ? "if it is a cavity or a tumour, say so in the table"
                    : "if it is a cavity, turn its faces inwards in the program that made it");
   return text;
-}
-
-QString openEdges(int boundaryEdges) {
-  if (boundaryEdges == 0) return "";
-  return QString("open, %L1 boundary edge%2").arg(boundaryEdges).arg(boundaryEdges == 1 ? "" : "s");
 }
 
 QString imageReport(const QJsonObject& info) {

@@ -4,14 +4,28 @@
 
 #include <QJsonObject>
 #include <QString>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "anatomy/structure_kind.h"
 
 namespace resect {
 
+// A part of a model, a label of an image, or an image of a folder.
+struct FilePart {
+  std::string part;       // as OrganSource::part names it
+  std::string name;       // for people
+  std::string about;      // its volume, or why it has none: "1378 ml", "open, 12 boundary edges"
+  std::string file = {};  // of a folder's image
+  std::optional<StructureKind> kind = {};  // what its name tells
+};
+
+// The parts of a model, the labels of an image or the images of a folder.
+std::vector<FilePart> fileParts(const QJsonObject& info);
+
 // About the health of a surface. roles: whether the user can give its parts roles.
 QString surfaceReport(const QJsonObject& info, bool roles);
-
-// What keeps a part from having a volume; "" if nothing does.
-QString openEdges(int boundaryEdges);
 
 // What was taken from a label image: the notes about it.
 QString imageReport(const QJsonObject& info);

@@ -1,7 +1,5 @@
 #include "app/widgets/open_organ_dialog.h"
 
-#include <fmt/format.h>
-
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -37,9 +35,13 @@
 #include "io/scenario/orientation.h"
 
 namespace resect {
+
 OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& before,
                                  QWidget* parent)
-    : QDialog(parent), file_(file), before_(before) {
+    : QDialog(parent),
+      file_(file),
+      isFolder_(std::filesystem::is_directory(file)),
+      before_(before) {
   setWindowTitle("Open organ");
   auto* columns = new QHBoxLayout(this);
   auto* form = form_ = new QFormLayout;
@@ -164,13 +166,15 @@ void OpenOrganDialog::readSurface() {
   surfacePart_ = part;
   busy_->setRange(0, 0);
   const std::string ply = folder_.filePath("surface.ply").toStdString();
-  surfaceReader_.writeSurface(file_, part, ply, [this, ply](const std::string& problem) {
-    busy_->setRange(0, 1);
-    if (!problem.empty()) return;
-    mesh_ = merged(readPlainMesh(ply));
-    showSurface();
-    if (surfaceShown && surface_->pictures() > 0) surfaceShown();
-  });
+  const bool ofFolder = isFolder_ && roles_->filled();
+  surfaceReader_.writeSurface(ofFolder ? roles_->organ().file : file_, ofFolder ? "" : part, ply,
+                              [this, ply](const std::string& problem) {
+                                busy_->setRange(0, 1);
+                                if (!problem.empty()) return;
+                                mesh_ = merged(readPlainMesh(ply));
+                                showSurface();
+                                if (surfaceShown && surface_->pictures() > 0) surfaceShown();
+                              });
 }
 
 // Without OpenGL there is no picture, and the organ can be opened all the same.
@@ -200,10 +204,9 @@ QHBoxLayout* OpenOrganDialog::turnRow() {
 Eigen::Quaterniond OpenOrganDialog::lying() const {
   const std::string letters = isImage_ ? "LPS" : axes_->currentData().toString().toStdString();
   const auto own = letters.empty() ? Eigen::Quaterniond::Identity() : orientationOf(letters);
-  return (turnOf(
-              fmt::format("{},{},{}", turns_[0]->value(), turns_[1]->value(), turns_[2]->value())) *
-          own)
-      .normalized();
+  const QString turn =
+      QString("%1,%2,%3").arg(turns_[0]->value()).arg(turns_[1]->value()).arg(turns_[2]->value());
+  return (turnOf(turn.toStdString()) * own).normalized();
 }
 
 // Shows text and enlarges the dialog for it.
@@ -262,6 +265,8 @@ double OpenOrganDialog::cavityVolume() const {
 // False if the result changes the choice of part, so that another examination follows.
 bool OpenOrganDialog::show(const std::string& json, const std::string& problem) {
   if (!problem.empty()) {
+    for (int row = 2; longest_ == 0 && row + 1 < form_->rowCount(); ++row)
+      form_->setRowVisible(row, false);  // there is nothing to choose
     tell(shown(problem, kLongestSentence));
     return true;
   }
@@ -274,11 +279,15 @@ bool OpenOrganDialog::show(const std::string& json, const std::string& problem) 
   if (isImage_) showSlices();
   if (!roles_->filled()) listRoles(info);
   if (isImage_ && !info.contains("closed")) {  // no organ was found in it
-    tell(hasRoles() ? "Which label is the organ? Say it in the table; then it can be opened."
+    tell(hasRoles() ? QString("Which %1 is the organ? Say it in the table; then it can be opened.")
+                          .arg(isFolder_ ? "one file" : "label")
                     : shown(info["refusal"].toString().toStdString(), kLongestSentence));
     return true;
   }
-  tell(isImage_ ? imageReport(info) : surfaceReport(info, hasRoles()));
+  if (isFolder_ && hasRoles())
+    tell(QString("%1 label images").arg(info["files"].toArray().size()));
+  else
+    tell(isImage_ ? imageReport(info) : surfaceReport(info, hasRoles()));
   repair_->setChecked(!info["closed"].toBool());
   const QJsonArray bounds = info["bounds_m"].toArray();
   area_ = info["area_m2"].toDouble();
@@ -320,26 +329,17 @@ void OpenOrganDialog::showSlices() {
   slices_->show();
 }
 
-// A table of the parts of a model or the labels of an image, if there are several.
+// A table of the parts, labels or images that the file holds, if there are several.
 void OpenOrganDialog::listRoles(const QJsonObject& info) {
-  std::vector<FilePart> parts;
+  const std::vector<FilePart> parts = fileParts(info);
   partVolumes_.clear();
-  for (const QJsonValue label : info["labels"].toArray()) {
-    const std::string value = std::to_string(qint64(label["value"].toDouble()));
-    const std::string name = label["name"].toString().toStdString();
-    parts.push_back({value, name.empty() ? "label " + value : name,
-                     fmt::format("{:.4g} ml", label["volume_ml"].toDouble())});
-  }
   if (isImage_) {  // whose surfaces are closed
     form_->setRowVisible(axes_, false);
     repair_->setEnabled(false);
     form_->setRowVisible(part_, false);
   } else {
-    for (const QJsonValue part : info["part_health"].toArray()) {
+    for (const QJsonValue part : info["part_health"].toArray())
       partVolumes_.push_back(part["volume_ml"].toDouble());
-      parts.push_back({part["name"].toString().toStdString(), part["name"].toString().toStdString(),
-                       openEdges(part["boundary_edges"].toInt()).toStdString()});
-    }
   }
   if (parts.size() < 2) return;
   roles_->fill(parts, isImage_);
@@ -353,6 +353,7 @@ bool OpenOrganDialog::hasRoles() const {
 
 std::string OpenOrganDialog::chosenPart() const {
   if (!hasRoles()) return part_->currentData().toString().toStdString();
+  if (isFolder_) return roles_->hasOrgan() ? roles_->organ().part : "";
   OrganSource source;
   source.file = file_;
   roles_->applyTo(source);

@@ -67,6 +67,7 @@ class OpenOrganDialog : public QDialog {
   Eigen::Quaterniond lying() const;  // rotation from the file's axes to the room's axes
 
   std::string file_;
+  bool isFolder_;  // of label images
   OrganSource before_;
   FileExaminer examiner_, surfaceReader_;
   QTemporaryDir folder_;                    // for the picture of slices and the surface

@@ -13,7 +13,7 @@ namespace {
 constexpr int kLeftOut = -1, kOrgan = 0;
 
 int proposed(const FilePart& part) {
-  const auto kind = structureKind(part.name);
+  const auto kind = part.kind;
   if (!kind || *kind == StructureKind::Gallbladder) return kLeftOut;  // which lies beside a liver
   return *kind == StructureKind::Parenchyma ? kOrgan : 1 + int(*kind);
 }
@@ -74,9 +74,15 @@ int PartsTable::roleOf(int row) const {
 }
 
 bool PartsTable::hasOrgan() const {
-  for (int row = 0; row < rowCount(); ++row)
-    if (roleOf(row) == kOrgan) return true;
-  return false;
+  int organs = 0;
+  for (int row = 0; row < rowCount(); ++row) organs += roleOf(row) == kOrgan;
+  return ofFolder() ? organs == 1 : organs > 0;
+}
+
+const FilePart& PartsTable::organ() const {
+  int row = 0;
+  while (roleOf(row) != kOrgan) ++row;
+  return parts_[std::size_t(row)];
 }
 
 bool PartsTable::isCavity(int row) const { return roleOf(row) == 1 + int(StructureKind::Cavity); }
@@ -92,12 +98,13 @@ void PartsTable::applyTo(OrganSource& source) const {
     if (roleOf(row) == kOrgan) organ.push_back(parts_[std::size_t(row)].part);
   const bool all = int(organ.size()) == rowCount() && !isLabelled(source.file);
   source.part = all ? "" : partLines(organ);
+  if (ofFolder() && hasOrgan()) source.file = this->organ().file, source.part = "";
   for (int row = 0; row < rowCount(); ++row) {
     if (roleOf(row) <= kOrgan) continue;
     const FilePart& part = parts_[std::size_t(row)];
     const auto kind = StructureKind(roleOf(row) - 1);
-    const bool named = structureKind(part.name).has_value();
-    addStructure(source, kind, named ? part.name : std::string(wordOf(kind)), "", part.part);
+    addStructure(source, kind, part.kind ? part.name : std::string(wordOf(kind)), part.file,
+                 ofFolder() ? "" : part.part);
   }
 }
 

@@ -7,16 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "app/loading/organ_report.h"
 #include "operation/scenario.h"
 
 namespace resect {
-
-// A part of a model, or a label of an image.
-struct FilePart {
-  std::string part;   // as OrganSource::part names it
-  std::string name;   // for people
-  std::string about;  // its volume, or why it has none: "1378 ml", "open, 12 boundary edges"
-};
 
 class PartsTable : public QTableWidget {
  public:
@@ -30,9 +24,12 @@ class PartsTable : public QTableWidget {
   void setAbout(int row, const QString& about) { item(row, 1)->setText(about); }
   bool filled() const { return !parts_.empty(); }
 
-  bool hasOrgan() const;  // whether any part has the role of the organ
+  // Whether any part has the role of the organ; of a folder's images, whether exactly one has it.
+  bool hasOrgan() const;
+  const FilePart& organ() const;  // the first one with this role; hasOrgan() must be true
   bool isCavity(int row) const;
-  // Sets source.part and source.structures by the roles. The file of `source` has these parts.
+  // Sets source.part and source.structures by the roles. The file of `source` has these parts. Of a
+  // folder's images, source.file becomes the organ's.
   void applyTo(OrganSource& source) const;
 
   QPoint rolePlace(int row) const;  // centre of the row's list of roles, in screen coordinates
@@ -42,6 +39,8 @@ class PartsTable : public QTableWidget {
  private:
   // Role of a row: -1: left out; 0: the organ; 1 + number of a StructureKind: a structure.
   int roleOf(int row) const;
+
+  bool ofFolder() const { return !parts_.empty() && !parts_[0].file.empty(); }
 
   std::vector<FilePart> parts_;
 };

@@ -53,16 +53,29 @@ void writeSlices(const OrganSource& source, const std::string& file) {
   if (slices.height > 0) writePng(file, slices);
 }
 
+// The label images of a folder, with what their names tell.
+nlohmann::ordered_json filesOf(const std::string& folder) {
+  nlohmann::ordered_json files = nlohmann::ordered_json::array();
+  std::vector<std::string> notes;  // which takeLabels() gives too
+  for (const FolderImage& one : imagesOf(folder, notes))
+    files.push_back({{"file", one.file},
+                     {"name", one.name},
+                     {"kind", one.kind ? nlohmann::ordered_json(wordOf(*one.kind)) : nullptr}});
+  return files;
+}
+
 // About the image, or the folder of images, and about the organ that it would give.
 void infoOfLabels(const Options& options) {
   if (options.unit != "m")
     throw usageError("{}: label images tell their size themselves; leave --unit out", options.file);
   LabelFacts facts;
-  if (std::filesystem::is_directory(options.file))
+  const bool folder = std::filesystem::is_directory(options.file);
+  if (folder)
     facts.description = "folder";
   else
     facts = readLabelFacts(options.file, progressBar("reading"));
   nlohmann::ordered_json json = toJson(facts, options.file);
+  if (folder) json["files"] = filesOf(options.file);
   std::string text = toText(facts, options.file);
   OrganSource source;
   source.file = options.file;

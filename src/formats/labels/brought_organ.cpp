@@ -71,12 +71,11 @@ std::string beginningOf(const fs::path& file) {
   return start;
 }
 
-// The label images of the source's folder, by name. Studies of DICOM have folders for their series,
-// so segmentations are looked for in all of them; slices of scans are left out.
-std::vector<std::string> imagesIn(OrganSource& source) {
+// Studies of DICOM have folders for their series, so segmentations are looked for in all of them.
+std::vector<std::string> imagesIn(const std::string& path, std::vector<std::string>& notes) {
   std::vector<std::string> files;
   int slices = 0;
-  const fs::recursive_directory_iterator folder(source.file,
+  const fs::recursive_directory_iterator folder(path,
                                                 fs::directory_options::skip_permission_denied);
   for (auto entry = begin(folder); entry != end(folder); ++entry) {
     if (!entry->is_regular_file() || !isImageFile(entry->path())) continue;
@@ -88,14 +87,14 @@ std::vector<std::string> imagesIn(OrganSource& source) {
   }
   std::ranges::sort(files);
   if (files.empty() && slices > 0)
-    throw error("{}: holds {} DICOM files of a scan and no segmentation; make one with {}",
-                source.file, slices, kLabelMakers);
+    throw error("{}: holds {} DICOM files of a scan and no segmentation; make one with {}", path,
+                slices, kLabelMakers);
   if (files.empty())
     throw error(
         "{}: is a folder without label images; choose one of .nii, .nrrd, .mha or DICOM "
         "files",
-        source.file);
-  if (slices > 0) source.notes.push_back(fmt::format("left out: {} DICOM files of a scan", slices));
+        path);
+  if (slices > 0) notes.push_back(fmt::format("left out: {} DICOM files of a scan", slices));
   return files;
 }
 
@@ -103,6 +102,12 @@ std::vector<std::string> imagesIn(OrganSource& source) {
 bool isWithin(StructureKind kind) {
   return kind == StructureKind::Tumour || kind == StructureKind::Cyst ||
          kind == StructureKind::Cavity || vesselKind(kind);
+}
+
+// What a file's name tells: that it is an organ, or what lies in one.
+std::optional<StructureKind> kindOfFile(const std::string& stem) {
+  const auto kind = structureKind(withoutPrefix(stem));
+  return kind && (isWithin(*kind) || *kind == StructureKind::Parenchyma) ? kind : std::nullopt;
 }
 
 constexpr std::size_t kFew = 4;  // names, in a note
@@ -142,8 +147,8 @@ std::vector<Found> structuresIn(const std::vector<std::string>& files, OrganSour
   for (const std::string& file : files) {
     const std::string stem = stemOf(file);
     const bool wanted = lowerCase(stem) == lowerCase(source.part);
-    const auto kind = structureKind(withoutPrefix(stem));
-    if (wanted || (kind && (isWithin(*kind) || *kind == StructureKind::Parenchyma)))
+    const auto kind = kindOfFile(stem);
+    if (wanted || kind)
       all.push_back({file, "", stem, kind});
     else
       left.push_back(stem);
@@ -228,9 +233,16 @@ bool isLabelled(const fs::path& path) {
   return fs::is_directory(path, ec) || isImageFile(path);
 }
 
+std::vector<FolderImage> imagesOf(const std::string& folder, std::vector<std::string>& notes) {
+  std::vector<FolderImage> images;
+  for (const std::string& file : imagesIn(folder, notes))
+    images.push_back({file, stemOf(file), kindOfFile(stemOf(file))});
+  return images;
+}
+
 void takeLabels(OrganSource& source) {
   layAsInPatient(source);
-  if (fs::is_directory(source.file)) return takeFiles(source, imagesIn(source));
+  if (fs::is_directory(source.file)) return takeFiles(source, imagesIn(source.file, source.notes));
   if (!source.part.empty() || !source.structures.empty()) return;
   const std::vector<Found> all = labelsOf(source.file, source);
   if (all.empty()) return;  // its reader says so

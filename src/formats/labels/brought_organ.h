@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,17 @@ bool isLabelled(const std::filesystem::path& path);
 //
 // Throws Error if no label or more than one could be the organ; the Error lists the labels.
 void takeLabels(OrganSource& source);
+
+// A label image of a folder. Its name tells which kind of structure it holds, or nothing.
+struct FolderImage {
+  std::string file;
+  std::string name;  // of the file, without endings
+  std::optional<StructureKind> kind;
+};
+
+// The label images of a folder, by name; segmentations of DICOM in any folder below. `notes` gets a
+// sentence about slices of scans, which are left out. Throws Error if there is no label image.
+std::vector<FolderImage> imagesOf(const std::string& folder, std::vector<std::string>& notes);
 
 // The same for several files, label images or models, in the same coordinates, each with one
 // structure. They are treated like the files of a folder. A single file becomes source.file.

@@ -95,7 +95,9 @@ LabelFacts factsOf(const std::string& path, const LabelImage& image) {
   constexpr std::size_t kManyLabels = 20;
   facts.guessed =
       facts.labels.size() > kManyLabels &&
-      std::ranges::all_of(facts.labels, [](const ImageLabel& l) { return l.name.empty(); });
+      std::ranges::all_of(facts.labels, [](const ImageLabel& l) {
+        return l.name.empty() && !totalSegmentatorName(l.value).empty();  // an atlas has others too
+      });
   if (facts.guessed)
     for (ImageLabel& label : facts.labels) label.name = totalSegmentatorName(label.value);
   if (facts.labels.size() == 1 && facts.labels[0].name.empty()) facts.labels[0].name = stemOf(path);

@@ -28,7 +28,7 @@ struct LabelFacts {
   double voxelVolume = 0;   // m^3
   std::vector<ImageLabel> labels;
   // Whether the names in `labels` are guesses: if an image has more than 20 labels, none with a
-  // name, their numbers are taken for those of TotalSegmentator.
+  // name and none with a number that TotalSegmentator does not use, its names are taken.
   bool guessed = false;
   std::vector<bool> cutOff;  // for each label: whether it reaches the border of the image
 

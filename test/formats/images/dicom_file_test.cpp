@@ -26,6 +26,7 @@ struct SegForm {
   double gap = 1;         // the last slice lies so many slices away
   bool reversed = false;  // frames from the last slice to the first
   std::string kind = UID_SegmentationStorage;
+  bool counted = true;  // with NumberOfFrames
 };
 
 std::string number(double value) { return fmt::format("{:.10g}", value); }
@@ -53,7 +54,8 @@ std::string segBytes(const PlainImage& image, const SegForm& form = {}) {
   data.putAndInsertUint16(DCM_Columns, Uint16(columns));
   data.putAndInsertUint16(DCM_BitsAllocated, Uint16(form.bits));
   data.putAndInsertUint16(DCM_MaximumFractionalValue, 200);
-  data.putAndInsertString(DCM_NumberOfFrames, std::to_string(frames.size()).c_str());
+  if (form.counted)
+    data.putAndInsertString(DCM_NumberOfFrames, std::to_string(frames.size()).c_str());
   DcmItem* item = nullptr;
   const char* names[] = {"Liver", "Slab"};
   for (int s = 0; s < 2; ++s) {
@@ -124,6 +126,12 @@ TEST_CASE("a DICOM segmentation is read: overlapping segments, frames in any ord
     for (const bool said : {true, false})
       for (const bool reversed : {false, true})
         checkSame(readDicomFile("a.dcm", segBytes(plain, {bits, said, 1, reversed})), plain);
+}
+
+TEST_CASE("a DICOM segmentation that does not say how many frames it has is read as one") {
+  const LabelImage image = readDicomFile("a.dcm", segBytes(twoBoxes(), {.counted = false}));
+  CHECK(image.dims.z() == 1);
+  CHECK(image.labels[0].name == "Liver");
 }
 
 TEST_CASE("DICOM files that are no segmentation, uneven slices and torn files are refused") {

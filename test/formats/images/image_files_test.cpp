@@ -266,6 +266,9 @@ TEST_CASE("many labels without names get those of TotalSegmentator, few do not")
   CHECK(facts.guessed);
   CHECK(facts.labels[4].name == "liver");
   CHECK(facts.cutOff[0]);
+  // An atlas has numbers beyond those.
+  image.labels.back().value = 200;
+  CHECK_FALSE(factsOf("x", image).guessed);
   image.labels.pop_back();
   facts = factsOf("x", image);
   CHECK_FALSE(facts.guessed);
