@@ -262,8 +262,10 @@ class Faults(ScreenTest):
             time.sleep(0.3)
             self.screen.key(*["Down"] * steps, "Return")
             report = window.wait("report ")
+            if row == 0:
+                window.wait("surface turns")  # the organ's
         self.assertIn("2 label images", report)
-        window.wait("surface turns")
+        time.sleep(1)
         self.screen.picture("folder_roles")
         self.screen.focus("^Open organ$")
         self.screen.key("Return")

@@ -91,8 +91,9 @@ class Segmentation {
   }
 
   void readFrames() {
-    Sint32 count = 1;  // where the number is missing, as in frames taken out of a file
-    data_->findAndGetSint32(DCM_NumberOfFrames, count);
+    Sint32 count = 0;
+    if (data_->findAndGetSint32(DCM_NumberOfFrames, count).bad())
+      count = 1;  // the number is missing, as in frames taken out of a file
     if (count < 1) throw damaged("frames");
     Uint16 rows = 0, columns = 0;
     data_->findAndGetUint16(DCM_Rows, rows);
