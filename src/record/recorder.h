@@ -1,9 +1,10 @@
 // Records an operation while it happens.
 //
 // The thread that steps the simulation hands each frame to the recorder, and the recorder's own
-// thread writes it. If the program is killed, the file can still be opened, and lacks at most the
-// last quarter of a second. If the file cannot be written, for example because the disk is full or
-// too slow, the recording ends, failure() says why, and the operation goes on.
+// thread writes it. If the program is killed, the file can still be opened; at most the last
+// quarter of a second is missing from it. If the file cannot be written, for example because the
+// disk is full or too slow, the recording ends but the operation goes on. failure() then says why
+// the recording ended.
 #pragma once
 
 #include <atomic>
@@ -28,9 +29,10 @@ std::string programName();
 // Digests of the state's fields after a step, in the order of fields().
 class FrameHashes {
  public:
-  // The digests are those of the fields of `start`, a simulation at the start of its operation.
+  // Digests are computed of the fields that the state of `start` has. start: a simulation at the
+  // start of its operation.
   explicit FrameHashes(const Simulation& start);
-  // fields: RecordingInfo::fields.
+  // fields: names of the state's fields, as in RecordingInfo::fields.
   explicit FrameHashes(std::vector<std::string> fields) : hashes_(std::move(fields)) {}
   const std::vector<std::uint64_t>& of(const Simulation& simulation);
   const std::vector<std::string>& fields() const { return hashes_.paths(); }
@@ -52,9 +54,9 @@ class Recorder {
   Recorder(const std::filesystem::path& path, const Scenario& scenario,
            const Simulation& simulation);
   // Creates a file with a copy of everything in `done`, for an operation that continues `done`.
-  // Later frames are added to this file. Throws Error if that fails, or if the state of
-  // `simulation` has a field that the recording lacks, because another version of the program made
-  // the recording.
+  // Later frames are added to the new file. Throws Error if the file cannot be created. Also throws
+  // Error if the state of `simulation` has a field that `done` lacks; this can happen if another
+  // version of the program made `done`.
   Recorder(const std::filesystem::path& path, RecordingFile& done, const Scenario& scenario,
            const Simulation& simulation);
   ~Recorder();  // calls finish()
@@ -62,18 +64,18 @@ class Recorder {
   Recorder& operator=(const Recorder&) = delete;
 
   // begin(), rename(), stood() and record() must be called by the thread that steps the simulation.
-  // begin() records that a branch begins at the present state of `simulation`, and rename() that a
-  // branch has a new name.
+  // begin() records that a branch begins at the present state of `simulation`. rename() records
+  // that a branch has a new name.
   void begin(const Branch& branch, const Simulation& simulation);
   void rename(const Branch& branch);
   // To be called when operating pauses at the end of a branch. Records the ledger of this moment.
   void stood(Moment moment, const Simulation& simulation);
   // To be called after each step. The frame must follow the last frame of its branch. Cost: 0.5 ms
-  // with 13 000 elastic particles; in addition, the time of Simulation::save() and stateHash() once
-  // in kKeyStateSeconds.
+  // with 13 000 elastic particles. Once in kKeyStateSeconds, the time of Simulation::save() and
+  // Simulation::stateHash() is added.
   void record(Moment moment, const FrameInput& input, const StepReport& report,
               std::span<const OperationEvent> events, const Simulation& simulation);
-  // The same for an operation that has only branch 0.
+  // As above, for an operation that has only branch 0.
   void record(const FrameInput& input, const StepReport& report, const Simulation& simulation);
 
   // Why the recording has ended; empty while it goes on.
@@ -83,9 +85,8 @@ class Recorder {
   // Writes everything recorded so far to `path`, as a finished recording, and waits until that is
   // done. A file at `path` is replaced, but only when the new file is complete. Throws Error if the
   // file cannot be written. Also throws Error if the recording has ended (failure()); the file at
-  // `path` then holds everything recorded until that end.
-  // moment: the present moment of the operation, for RecordingFile::moment(). Its frame may be
-  // kEndOfBranch.
+  // `path` then holds everything recorded until that end. moment: the present moment of the
+  // operation, which RecordingFile::moment() will return. The moment's frame may be kEndOfBranch.
   void saveAs(const std::filesystem::path& path, Moment moment);
   // Waits until everything is written, and closes the file.
   void finish();
@@ -98,7 +99,7 @@ class Recorder {
  private:
   using Item =
       std::variant<Branch, RecordedFrame, KeyState, OperationEvent, RecordedSample, RecordedLedger>;
-  // Queues items; those of one call are written in the same transaction.
+  // Queues items. All items of one call are written in the same transaction.
   void put(std::vector<Item> items);
   KeyState keyState(Moment moment, const Simulation& simulation);
   // Appends the ledger, and the event "piece" if pieces came off since the branch's last ledger.
@@ -107,30 +108,31 @@ class Recorder {
   std::string keep(const std::deque<Item>& items, bool last);
 
   const std::filesystem::path path_;
-  FrameHashes hashes_;  // declared before file_, whose initialisation needs their fields
+  FrameHashes hashes_;  // declared before file_, which is initialised with hashes_.fields()
   RecordingFile file_;
   LedgerBooks books_;
   double frameRate_;
-  Moment last_{-1, 0};                  // last frame; one that does not follow it is written whole
+  // Last frame. The input of a frame that does not follow it is written in full, not as changes.
+  Moment last_{-1, 0};
   FrameInput before_;                   // input of the frame last_, without edits
   EventMemory events_;                  // for record() without events
-  std::vector<std::int64_t> keyFrame_;  // frame of the last key state, by branch
+  std::vector<std::int64_t> keyFrame_;  // per branch: frame of its last key state
   struct LastLedger {
     std::int64_t frame = -1, pieces = 0;
   };
-  std::vector<LastLedger> lastLedger_;  // by branch
+  std::vector<LastLedger> lastLedger_;  // per branch
   std::int64_t framesPerKey_;
-  // size() is compared with this limit after each transaction. The remaining eighth of
-  // kLargestRecording has room for the transaction that exceeds the limit.
+  // size() is compared with this limit after each transaction. The transaction that exceeds the
+  // limit fits into the remaining eighth of kLargestRecording.
   std::atomic<std::uintmax_t> mostBytes_ = kLargestRecording / 8 * 7;
 
-  mutable std::mutex mutex_;  // guards all below
+  mutable std::mutex mutex_;  // guards all members below
   std::condition_variable wake_;
   std::deque<Item> queue_;
   std::size_t queued_ = 0;  // approximate size of the queue, bytes
   bool ending_ = false;
   struct Save {
-    std::filesystem::path file;  // an empty file; "": nothing is to be saved
+    std::filesystem::path file;  // an empty file to write to; "": nothing is to be saved
     std::string name;            // the final name of the file, for messages
     Moment moment;
     std::string failure;

@@ -20,13 +20,13 @@ class Replay {
   Simulation& simulation() { return *simulation_; }
   std::int64_t branch() const { return branch_; }
 
-  // Goes to a frame: restores the last key state at or before it and plays from there; if the
-  // present frame is nearer, plays on from the present frame. If the key state was recorded by
-  // another version of the program and this version cannot restore it, plays from the start. Throws
-  // Error if the recording has no such frame or is damaged.
+  // Goes to a frame. If the present frame is between this frame and the last key state before this
+  // frame, plays on from the present frame. Otherwise restores that key state and plays from there.
+  // If another version of the program recorded the key state and this version cannot restore it,
+  // plays from the start. Throws Error if the recording has no such frame or is damaged.
   void goTo(std::int64_t branch, std::int64_t frame);
-  // Plays the next frame of the present branch; returns false at its end. `input` and `report`, if
-  // given, receive the frame's input and the step's report.
+  // Plays the next frame of the present branch. Returns false if the branch has no further frame.
+  // `input` and `report`, if given, receive the frame's input and the step's report.
   bool step(FrameInput* input = nullptr, StepReport* report = nullptr);
   // The frame that step() played last, as recorded.
   const RecordedFrame& recorded() const { return recorded_; }
@@ -46,24 +46,26 @@ class Replay {
 // The first difference between a replay and the recording.
 struct Difference {
   std::int64_t branch = 0, frame = 0;
-  // The stage of the step that writes the field; "measure" for events, samples and ledgers; "file"
-  // if the recording is damaged.
+  // If a field differs: the stage of the step that writes this field. If the surface differs:
+  // "updateSurface". If the state has a field that the recording lacks: "step". If an event, a
+  // sample or a ledger differs: "measure". If the recording is damaged: "file".
   std::string stage;
-  std::string what;  // a field, such as "organs.tissue.u", or a description
+  std::string what;  // the field, such as "organs.tissue.u", or a description
 };
 
 struct Verification {
   std::int64_t frames = 0, keyStates = 0, branches = 0;
   bool complete = true;  // RecordingFile::complete()
   std::optional<Difference> first;
-  std::string program;        // the program that recorded, with its version
-  bool otherProgram = false;  // another version recorded: key states are not compared
+  std::string program;        // program that made the recording, with its version
+  bool otherProgram = false;  // another version made it: key states are not compared
 };
 
-// Plays every branch from its first key state until the first difference. Compares the digests of
-// every frame's input and state, all samples and ledgers, all events except those of sight
-// (operation/live/sight.h), and every key state with its surface. Throws Error if the file cannot
-// be opened (RecordingFile::open()) or its setup cannot be run.
+// Plays every branch from its first key state, and stops at the first difference. Compares the
+// digests of every frame's input and state; all samples, ledgers and key states; and the surface at
+// each key state. Compares all events except events of sight (operation/live/sight.h), which cannot
+// be computed again. Throws Error if the file cannot be opened (RecordingFile::open()) or its setup
+// cannot be run.
 Verification verify(const std::filesystem::path& path, const Progress& progress = {});
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// The recordings that the window makes automatically. Those of the last kKeptRecordings operations
-// are kept.
+// The recordings that the window makes automatically. The recordings of the last kKeptRecordings
+// operations are kept.
 #pragma once
 
 #include <filesystem>
@@ -14,15 +14,16 @@ namespace resect {
 
 inline constexpr int kKeptRecordings = 20;
 
-// $XDG_STATE_HOME/resect/recordings, or ~/.local/state/resect/recordings.
+// $XDG_STATE_HOME/resect/recordings, or ~/.local/state/resect/recordings if XDG_STATE_HOME is not
+// set.
 std::filesystem::path recordingsFolder();
 
-// Makes a recorder that writes a new file in recordingsFolder(), named by date, time and scenario.
-// If the folder then has more than kKeptRecordings recordings, the oldest are removed. Throws Error
-// if the folder cannot be written.
+// Makes a recorder that writes a new file in recordingsFolder(). The file's name contains the date,
+// the time and the scenario's name. If the folder then has more than kKeptRecordings recordings,
+// the oldest are removed. Throws Error if the folder cannot be written.
 std::shared_ptr<Recorder> recordSession(const Scenario& scenario, const Simulation& simulation);
 
-// The same for an operation that continues the recording `done`. The file of `done` is neither
+// As above, for an operation that continues the recording `done`. The file of `done` is neither
 // changed nor removed.
 std::shared_ptr<Recorder> recordSession(const Scenario& scenario, RecordingFile& done,
                                         const Simulation& simulation);

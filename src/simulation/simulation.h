@@ -1,9 +1,9 @@
 // The simulation of an operation, frame by frame: tools move, touch and act; tissue moves; the
 // surface follows.
 //
-// A simulation uses no file, no window, and no clock except the one that measures the time of its
-// stages. Its inputs alone determine the results: it runs without a display, several simulations
-// can run in one process, and the same inputs give the same bits at any number of threads.
+// A simulation uses no file and no window. The only clock that it uses measures the time of its
+// stages. So it runs without a display, and several simulations can run in one process. Its inputs
+// alone determine the results: the same inputs give the same bits at any number of threads.
 // docs/step.md describes a step stage by stage.
 #pragma once
 
@@ -28,8 +28,8 @@ namespace resect {
 struct ToolInput {
   Pose pose;           // at the end of the frame, world, m
   bool inHand = true;  // false: the tool is in the tool box or on its way there; it touches nothing
-  double squeeze = 0;  // of a tool with jaws, at the end of the frame: 0 wide open, 1 closed
-  double pedal = 0;    // of an energy device, at the end of the frame: 0 released, 1 pressed
+  double squeeze = 0;  // of the tool's jaws at the end of the frame: 0 wide open, 1 closed
+  double pedal = 0;    // of an energy device at the end of the frame: 0 released, 1 pressed
 };
 
 inline constexpr double kLongestFrame = 1;  // greatest duration of a frame, s
@@ -37,9 +37,10 @@ inline constexpr double kLongestFrame = 1;  // greatest duration of a frame, s
 struct FrameInput {
   double duration = 1.0 / 60;    // s, 0 (nothing moves) to kLongestFrame
   std::vector<ToolInput> tools;  // one per tool, in the order of Simulation::tools
-  std::optional<float> iso;      // if given: another iso level from this frame on
+  std::optional<float> iso;      // if given: new iso level, valid from this frame on
   // Edits from outside, such as those of a script. They are applied before the edits that working
-  // parts queue in this frame. The working parts do not see their effect before the next frame.
+  // parts queue in this frame. The working parts do not see the effect of these edits before the
+  // next frame.
   std::vector<TissueEdit> edits;
   // Whether the user let go of the input device before this frame, which ends a stroke
   // (operation/live/strokes.h). No stage of the step reads this.
@@ -53,40 +54,44 @@ struct CutVessel {
 
 // Smoke: steam out of tissue that boils.
 struct Smoke {
-  std::int32_t organ = 0, tool = -1;  // the tool that heats it; -1: none
-  Vec3 place = Vec3::Zero();          // where it is heated, world, m
+  std::int32_t organ = 0, tool = -1;  // the tool that heats the tissue; -1: none
+  Vec3 place = Vec3::Zero();          // where the tissue is heated, world, m
   double rate = 0;                    // kg/s
 };
 
 // Result of a frame. Output only: no stage reads the result of an earlier frame.
 struct StepReport {
-  std::int64_t frame = 0;              // number of the frame, from 0
-  double time = 0;                     // at the end of the frame, s
-  std::int64_t removed = 0;            // number of particles removed
-  double removedVolume = 0;            // volume removed, m^3
-  std::int64_t severed = 0, torn = 0;  // number of bonds: severed by cuts and edits; torn by load
-  std::int64_t touchedBricks = 0;      // number of bricks evaluated and meshed again
-  // One entry per tool and organ: tool after tool, and for each tool organ after organ. The entry
-  // of a tool that is not in hand has no particles.
+  std::int64_t frame = 0;    // number of the frame, from 0
+  double time = 0;           // at the end of the frame, s
+  std::int64_t removed = 0;  // number of particles removed
+  double removedVolume = 0;  // volume removed, m^3
+  // severed: number of bonds severed by cuts and edits. torn: number of bonds torn by load.
+  std::int64_t severed = 0, torn = 0;
+  std::int64_t touchedBricks = 0;  // number of bricks evaluated and meshed again
+  // One entry for each pair of a tool and an organ. The entries of one tool follow each other, in
+  // the order of the organs. If a tool is not in hand, its entries have no particles.
   std::vector<ToolContacts> contacts;
-  std::vector<TissueEdit> edits;  // of the input, then the tools, skipped ones too (apply_edits.h)
-  std::vector<TissueEdit>
-      caused;  // edits caused by the motion of tissue and blades: cuts, tears, slipped grips
-  std::vector<TissueStep> tissue;   // one per organ
-  std::vector<CutVessel> vessels;   // vessels that were cut further in the frame
-  BloodReport blood;                // if any organ has vessels
-  std::vector<Smoke> smoke;         // one per edit Heat in an organ whose tissue boils
-  std::vector<Vec3> toolForce;      // on each tool, mean over the frame, N; zero if no tissue moves
+  // edits: first the edits of the input, then the edits that tools queued. Edits that were skipped
+  // (apply_edits.h) are included. caused: edits caused by the motion of tissue and blades: cuts,
+  // tears, slipped grips.
+  std::vector<TissueEdit> edits;
+  std::vector<TissueEdit> caused;
+  std::vector<TissueStep> tissue;  // one per organ
+  std::vector<CutVessel> vessels;  // vessels that were cut, or cut further, in the frame
+  BloodReport blood;               // meaningful only if an organ has vessels
+  std::vector<Smoke> smoke;        // one for each Heat edit in an organ whose tissue boils
+  // Per tool: mean force on the tool over the frame, N; zero if no tissue moves.
+  std::vector<Vec3> toolForce;
   std::vector<std::string> faults;  // sentences: what went out of range, and what to change
 };
 
 struct ToolState {
   ToolWay way;
-  // Force on the tool, N. force: mean over the last frame. feltForce: smoothed with a time constant
-  // of 0.05 s, as a hand feels it.
+  // force: mean force on the tool over the last frame, N. feltForce: this force smoothed with a
+  // time constant of 0.05 s, as a hand feels it, N.
   Vec3 force = Vec3::Zero(), feltForce = Vec3::Zero();
   bool inHand = false;
-  bool wasInHand = false;  // `inHand` in the frame before
+  bool wasInHand = false;  // value of `inHand` in the previous frame
   std::unique_ptr<Tool> tool;
 
   const Pose& pose() const { return way.to.pose; }
@@ -104,31 +109,31 @@ struct ToolState {
 
 class Simulation {
  public:
-  // organs: at least one, each with tissue. tools: none is null. joints: each joins cells of two
-  // organs. Throws Error if one of these conditions does not hold, if a joint names an organ or a
-  // cell that does not exist, or if a joint has a value out of range. table: whether there is a
-  // table, with its top at y = 0, on which moving tissue can rest.
+  // organs: at least one, each with a tissue model. tools: none is null. joints: each joins cells
+  // of two organs. Throws Error if one of these conditions does not hold, if a joint names an organ
+  // or a cell that does not exist, or if a joint has a value out of range. table: whether there is
+  // a table, with its top at y = 0, on which moving tissue can rest.
   Simulation(std::vector<OperatedOrgan> organs, std::vector<std::unique_ptr<Tool>> tools,
              std::vector<TissueJoint> joints = {}, bool table = true);
-  // For one organ. tissue: null for still tissue.
+  // A simulation of one organ. tissue: null for still tissue.
   Simulation(Organ organ, std::vector<std::unique_ptr<Tool>> tools,
              std::unique_ptr<TissueModel> tissue = nullptr, bool table = true);
-  // Adds an obstacle that stands still, such as the tool box: a closed body that moving tissue
-  // cannot enter. Call before the first step. Has no effect if no tissue moves.
+  // Adds an obstacle that stands still, such as the tool box: a body that moving tissue cannot
+  // enter. shape: a closed mesh. Call before the first step. Has no effect if no tissue moves.
   void addObstacle(const TriangleMesh& shape, const Pose& pose);
 
-  // Computes one frame. `clock`, if given, gets a lap per stage, under the stage's name. In the
-  // following cases step() throws Error and changes nothing:
+  // Computes one frame. If `clock` is given, it gets the time of each stage under the stage's name.
+  // In the following cases step() throws Error and changes nothing:
   //
-  //   - the number of tools in the input is not that of tools();
+  //   - the number of tools in the input differs from the number of tools();
   //   - the input's duration is out of range;
   //   - an edit names an organ or a tool that does not exist;
   //   - an edit is a grip with a pose that is not finite.
   //
   // If the step is cancelled (base/stop.h), call restore() or destroy the simulation.
   StepReport step(const FrameInput& input, StageClock* clock = nullptr);
-  // The same with a report that the caller reuses from frame to frame. Then a frame of still tissue
-  // that no tool comes near allocates no memory.
+  // As above, but writes to a report that the caller reuses from frame to frame. If the tissue is
+  // still and no tool is near it, the step then allocates no memory.
   void step(const FrameInput& input, StepReport& report, StageClock* clock = nullptr);
 
   const std::vector<OperatedOrgan>& organs() const { return organs_; }
@@ -159,13 +164,12 @@ class Simulation {
   // Memory held for organs, their tissue and surfaces, bytes.
   std::size_t bytes() const;
 
-  // The whole state, for restore(). Size: at most 48 bytes per particle of elastic tissue, or one
-  // bit per particle of still tissue, and in addition the data of cuts. Cost: about one pass over
-  // the state.
+  // The whole state, for restore(). Size: at most 48 bytes per particle of elastic tissue, one bit
+  // per particle of still tissue, and the data of cuts. Cost: about one pass over the state.
   Bytes save() const;
   // Continues from a state that save() gave for the same organs and the same number of tools. From
   // then on the same inputs give the same bits. Normals and cut shares are computed again. Throws
-  // Error, and changes nothing, if the state is of other organs or is damaged.
+  // Error, and changes nothing, if the state belongs to other organs or is damaged.
   void restore(std::span<const std::byte> state);
   // The state by its fields, for comparison (base/state/saved_state.h).
   SavedState fields() const { return saveState(*this, fingerprint()); }
@@ -186,16 +190,16 @@ class Simulation {
   }
 
  private:
-  // Data that one stage of a frame passes to later ones. The memory is used again in each frame.
+  // Data that one stage of a frame passes to later stages. The memory is used again in each frame.
   struct Work {
     std::vector<ToolContacts> contacts;
     std::vector<TissueEdit> edits, caused;
-    std::vector<TissueEdit> applied;  // `edits`, then `caused`; read by the stages heat and blood
+    std::vector<TissueEdit> applied;  // `edits`, then `caused`; input of heat and blood
     std::vector<HeatSource> heat;
-    std::vector<std::vector<std::int64_t>> removedCells;       // by organ
-    std::vector<std::span<const std::int64_t>> touchedBricks;  // by organ
-    std::vector<std::vector<CuttingEdge>> edges;               // by tool
-    std::vector<std::vector<Obstacle>> obstacles;              // by organ
+    std::vector<std::vector<std::int64_t>> removedCells;       // per organ
+    std::vector<std::span<const std::int64_t>> touchedBricks;  // per organ
+    std::vector<std::vector<CuttingEdge>> edges;               // per tool
+    std::vector<std::vector<Obstacle>> obstacles;              // per organ
     std::vector<MovingTissue> moving;
   };
 
@@ -230,10 +234,10 @@ class Simulation {
 
   // Set up once, or derived from the state.
   bool table_, keepsLook_ = false;
-  std::vector<std::unique_ptr<SignedDistance>> shapes_;          // of the tools, if tissue moves
+  std::vector<std::unique_ptr<SignedDistance>> shapes_;  // per tool; empty if no tissue moves
   std::vector<std::unique_ptr<SignedDistance>> standingShapes_;  // from addObstacle()
   std::vector<Pose> standingPoses_;
-  std::vector<JoinedOrgan> joined_;  // by organ, if there are joints
+  std::vector<JoinedOrgan> joined_;  // per organ; empty if there are no joints
   Work work_;
 };
 

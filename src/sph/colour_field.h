@@ -2,20 +2,20 @@
 //
 // The field at a node is c = sum over cells j of A_j V W(r - r_j, h), equation 3.6 of the thesis.
 // A_j is the colour value of cell j, 0 to 100; V is the volume of a cell; W is the kernel
-// (sph/kernel.h) with smoothing length h = 0.8 spacing; r is the position of the node, r_j that of
-// the centre of cell j. The lattice is regular, so for each position of a node within its cell the
-// sum is a fixed stencil of at most 36 cells. Distances are measured in cells. So on a lattice with
-// unequal spacings the kernel is stretched as the cells are. There are `refine` nodes per cell
-// along each axis. Along each axis node 0 lies two cells below the centre of cell 0, so the field
-// at the outermost nodes is always 0.
+// (sph/kernel.h) with smoothing length h = 0.8 spacing; r is the position of the node; r_j is the
+// centre of cell j. The lattice is regular, so for each position of a node within its cell the sum
+// is a fixed stencil of at most 36 cells. Distances are measured in cells. So on a lattice with
+// unequal spacings, the kernel is stretched in the same way as the cells. There are `refine` nodes
+// per cell along each axis. Along each axis node 0 lies two cells below the centre of cell 0, so
+// the field at the outermost nodes is always 0.
 //
 // Nodes are held in bricks of 4 x 4 x 4. A brick is stored only if the surface can pass through it.
 // In all other bricks the values of the nodes are known: all cells in the brick's reach (the cells
 // that have a weight at one of its nodes) are empty, or all are full. A change of a cell is never
 // added to the field or subtracted from it. Instead, the bricks in the cell's reach are evaluated
-// again. So the field depends on the present cells alone, bit for bit. The cost of a change is that
-// of the bricks in reach, whatever the size of the organ. The first change also writes 5 bytes for
-// each brick of the grid.
+// again. So the field depends on the present cells alone, bit for bit. The cost of a change depends
+// on the number of bricks in reach, not on the size of the organ. The first change also writes 5
+// bytes for each brick of the grid.
 #pragma once
 
 #include <array>
@@ -38,9 +38,9 @@ void requireIso(float iso);  // throws Error for a level out of this range
 
 class ColourField {
  public:
-  // Slots of bricks that are not stored. They describe the brick's nodes and also the planes of
-  // nodes just above them, which belong to the next bricks. kEmpty: the field is 0 at all these
-  // nodes. kFull: all these nodes lie in solid tissue.
+  // Slots of bricks that are not stored. A slot describes the nodes of the brick, and also the
+  // planes of nodes just above the brick, which belong to the next bricks. kEmpty: the field is 0
+  // at all these nodes. kFull: all these nodes lie in solid tissue.
   static constexpr std::int32_t kEmpty = -1;
   static constexpr std::int32_t kFull = -2;
 
@@ -48,12 +48,13 @@ class ColourField {
   static bool canHold(const Lattice& lattice, int refine);
   // refine: nodes per cell along each axis, 1 to 4. canHold() must be true. Evaluates all bricks.
   ColourField(const Discretization& cells, int refine);
-  // As above, but does not evaluate the stored bricks: the caller must do so with evaluateBuilt().
-  // Then the caller can read their nodes while these are in the cache.
+  // As above, but does not evaluate the stored bricks. The caller must evaluate them with
+  // evaluateBuilt(). Then the caller can read the nodes of a brick while they are still in the
+  // cache.
   struct NodesLater {};
   ColourField(const Discretization& cells, int refine, NodesLater);
-  // The bricks that were stored when the field was built, in ascending order. The i-th of them has
-  // slot i. Valid until the first update() after a change.
+  // The bricks that were stored when the field was built, in ascending order. The i-th brick in
+  // this list has slot i. The span is valid until the first update() after a change.
   std::span<const std::int32_t> builtBricks() const { return builtBricks_; }
   void evaluateBuilt(std::size_t begin, std::size_t end);  // evaluates builtBricks()[begin, end)
 
@@ -101,16 +102,16 @@ class ColourField {
   // Sets a cell's colour value, in [0, 100]; the field follows at the next update().
   void setCellValue(std::int64_t cell, float value);
   // Evaluates the bricks in reach of the cells that were set since the last update(). Returns these
-  // bricks, in ascending order, each once. Some of them have no changed node: they are returned
-  // because one of their vertices or normals depends on a changed node of another brick. Valid
-  // until the next call.
+  // bricks, in ascending order, each once. A returned brick may have no changed node: a vertex or
+  // normal of the brick then depends on a changed node of another brick. The span is valid until
+  // the next call.
   std::span<const std::int64_t> update();
 
   // Whether a cell in reach of the brick's nodes was changed since the field was built.
   bool edited(std::int64_t brick) const {
     return !originalOf_.empty() && originalOf_[brick] != kUnedited;
   }
-  // nodes() and node() as they were when the field was built, before any edit.
+  // The results that nodes() and node() had when the field was built, before any edit.
   const float* originalNodes(const Vec3i& brick) const {
     const std::int64_t b = brickIndex(brick);
     return edited(b) ? nodesOf(b, originalOf_[b], originals_) : nodes(b);
@@ -121,9 +122,9 @@ class ColourField {
 
  private:
   static constexpr std::int32_t kUnedited = -3;
-  // node / refine without a division where refine is 1, 2 or 4.
+  // node / refine. If refine is 1, 2 or 4, no division is needed.
   int cellOf(int node) const { return refine_ == 3 ? node / 3 : node >> refine_ / 2; }
-  // Position of a brick's first node within its cell, 0 to refine - 1, per axis: always 0 unless
+  // Per axis: position of a brick's first node within its cell, 0 to refine - 1. Always 0 unless
   // refine is 3.
   Vec3i phase(const Vec3i& brick) const {
     if (stencil_->phases == 1) return Vec3i::Zero();
@@ -131,8 +132,8 @@ class ColourField {
     return {along(brick.x()), along(brick.y()), along(brick.z())};
   }
   // Index of a slot's first node in an array of bricks; `slot` may be kFull or kEmpty. The array
-  // begins with a full brick (for kFull) and an empty brick (for kEmpty). So a brick's nodes are
-  // found without a branch on whether it is stored.
+  // begins with a full brick (for kFull) and an empty brick (for kEmpty). So the nodes of a brick
+  // are found without a test whether the brick is stored.
   static std::size_t firstNode(std::int32_t slot) { return std::size_t(slot - kFull) * kBrickSize; }
   static std::int32_t slotsOf(const RawArray<float>& bricks) {
     return std::int32_t(bricks.size() / kBrickSize) + kFull;
@@ -143,8 +144,9 @@ class ColourField {
       return nodesByPhase(b, slot, bricks);
     return bricks.data() + firstNode(slot);
   }
-  // nodesOf() where full bricks differ by phase (refine 3). It is a function of its own, so that
-  // the usual path has no branch on the slot. The processor could not predict that branch.
+  // nodesOf() for refine 3, where full bricks with different phases differ. This is a separate
+  // function, so that nodesOf() usually needs no branch on the slot. The processor could not
+  // predict such a branch.
   const float* nodesByPhase(std::int64_t b, std::int32_t slot, const RawArray<float>& bricks) const;
   void classifyBricks(const HeldBits& held);
   std::int32_t classifyRow(const HeldBits& held, std::size_t row, std::uint64_t* bits,
@@ -164,12 +166,12 @@ class ColourField {
   RawArray<std::int32_t> builtBricks_;
   RawArray<float> values_;  // the nodes of stored bricks, at firstNode(slot)
   std::vector<std::int32_t> freeSlots_;
-  // Per brick; empty before the first change. kUnedited, or where originals_ has the brick's nodes
-  // as they were when the field was built: a slot of originals_, kFull or kEmpty.
+  // Per brick: kUnedited; or, for an edited brick, the place of the node values from before any
+  // edit: a slot of originals_, kFull or kEmpty. Empty before the first change.
   std::vector<std::int32_t> originalOf_;
   RawArray<float> originals_;  // nodes of edited bricks before any edit
-  // Per brick; empty before the first change. Bits: kPending, and one for each plane of nodes that
-  // update() must evaluate.
+  // Per brick: the bit kPending, and one bit for each plane of nodes that update() must evaluate.
+  // Empty before the first change.
   std::vector<std::uint8_t> pendingOf_;
   std::vector<std::int64_t> pending_;  // bricks in reach of cells set since the last update
   std::vector<std::int64_t> touched_;  // result of the last update

@@ -1,11 +1,11 @@
 // Colour values of a lattice's cells: the percentage of each cell that is tissue, 0 to 100.
 //
-// As long as every value is k * 100/128 with a whole number k, the numbers k, called levels, are
-// stored in one byte each. This holds for an organ that is made from a mesh: discretize() counts
-// 4 x 4 x 4 samples, fitSurface() rounds its corrections, and tools only set cells to 0. The value
-// of a level is exact as a float, since 100/128 has few binary digits. Once a value is set that is
-// no whole level, all values are stored as floats from then on. Levels need a quarter of the memory
-// traffic of floats.
+// A value that is k * 100/128 with a whole number k has the level k. As long as all values have
+// levels, only the levels are stored, in one byte each. All values of an organ that is made from a
+// mesh have levels: discretize() counts 4 x 4 x 4 samples, fitSurface() rounds its corrections, and
+// tools only set cells to 0. The value of a level is exact as a float, since 100/128 has few binary
+// digits. When a value is set that is no whole level, all values are converted to floats and stay
+// so. Levels need a quarter of the memory traffic of floats.
 #pragma once
 
 #include <cmath>

@@ -17,9 +17,9 @@ struct Discretization {
   Lattice lattice;
   // How much of each cell is inside the organ, per cent. The thesis's files have only 0 and 100.
   ColourValues value;
-  // 1 where the cell's centre is inside the organ, else 0. The cells with 1 are the particles. The
-  // other cells with value > 0 are skin cells: partly filled, with the centre outside. Each skin
-  // cell belongs to a particle beside it.
+  // 1 where the cell's centre is inside the organ, else 0. The cells with 1 are the particles. Any
+  // other cell with a value above 0 is a skin cell: some of it is filled, but its centre is
+  // outside. Each skin cell belongs to a particle beside it.
   std::vector<std::uint8_t> inside;
   // Fitted colour values (organ/fit_surface.h) reproduce the organ's surface, but not its volume.
   // To correct the volume, cellVolume() multiplies values below 100 by this factor.
@@ -35,8 +35,8 @@ struct Discretization {
   std::uint8_t labelOf(std::int64_t cell) const {
     return label.empty() ? std::uint8_t(0) : label[std::size_t(cell)];
   }
-  // Name of a label for people, such as "tumour". Without a name: "parenchyma" for label 0, "label
-  // 3" for label 3.
+  // Name of a label for people, such as "tumour". If a label has no name, the result is
+  // "parenchyma" for label 0 and, for example, "label 3" for label 3.
   std::string labelName(int number) const {
     if (std::size_t(number) < labelNames.size() && !labelNames[std::size_t(number)].empty())
       return labelNames[std::size_t(number)];
@@ -56,9 +56,9 @@ struct Discretization {
     const float v = value[cell];
     return (v < 100 ? skinScale * v : v) / 100 * lattice.cellVolume();
   }
-  std::size_t bytes() const {
+  std::size_t bytes() const {  // memory held
     return value.bytes() + inside.capacity() + label.capacity();
-  }                        // memory held
+  }
   double volume() const {  // of all tissue, m^3
     double sum = 0;
     for (std::int64_t cell = 0; cell < lattice.cellCount(); ++cell) sum += cellVolume(cell);

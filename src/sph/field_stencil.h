@@ -4,9 +4,9 @@
 // The rest lattice is regular, so nodes at the same position within their cells have the same
 // weights. With one or two nodes per cell along an axis (refine 1 and 2), every node lies, along
 // each axis, at a cell centre or midway between two centres. Cells that are mirror images about the
-// node then have equal weights. Their values are added first, one axis after the other. This leaves
-// four to eight products per node instead of up to 36. With refine 3 and 4 each cell's value is
-// multiplied by a weight of its own.
+// node then have equal weights. The values of such cells are added first, one axis after the other.
+// This leaves four to eight products per node instead of up to 36. With refine 3 and 4 each cell's
+// value is multiplied by a weight of its own.
 #pragma once
 
 #include <array>
@@ -39,9 +39,9 @@ struct FieldStencil {
   int refine;  // nodes per cell along each axis, 1 to 4
   int phases;  // number of phases that bricks can have along an axis: 3 for refine 3, else 1
   // For refine 1 and 2: weights of the mirrored sums. First index: 1 if the nodes lie midway
-  // between cells along y, else 0. Second index: the same along z. Third index: number of the
-  // mirrored sum, with one bit per axis, x lowest. A bit is 0 for the nearest cells along the axis,
-  // 1 for the next ones.
+  // between cells along y, else 0. Second index: 1 if the nodes lie midway between cells along z,
+  // else 0. Third index: number of the mirrored sum, with one bit per axis, x lowest. A bit is 0
+  // for the nearest cells along the axis, and 1 for the next cells.
   std::array<std::array<std::array<HalfPlane, 8>, 2>, 2> mirrored;
   // For refine 3 and 4. Index: phaseIndex() of three numbers: the phase of the brick in x, its
   // phase in y, and the position of the plane within its cell in z.
@@ -57,17 +57,18 @@ struct FieldStencil {
 const FieldStencil& fieldStencil(int refine);
 
 // Evaluates planes of a brick's 64 nodes into `out`: plane z, 0 to 3, if bit z of `planes` is set.
-// low: points to the value of the lowest cell that the brick's nodes reach; along each axis this is
-// one below the cell of the brick's first node. alongY, alongZ: distances in memory between cells
-// that are neighbours along y and z, counted in floats. Reads up to 6 cells along each axis, from
-// `low` on. A plane has the same bits whichever other planes are evaluated, and with any
-// instruction set.
+// low: points to the value of the lowest cell that the brick's nodes reach. Along each axis, this
+// cell is one below the cell of the brick's first node. alongY, alongZ: distances in memory between
+// cells that are neighbours along y and z, counted in floats. Reads up to 6 cells along each axis,
+// from `low` on. The values of a plane have the same bits whichever other planes are evaluated, and
+// with any instruction set.
 void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const float* low,
               std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out);
 
-// The same for cells stored as levels (sph/colour_values.h), with the same bits. alongY and alongZ
-// are counted in cells. Reads up to 16 cells along x. This overload uses AVX2 where the machine has
-// it. sumBrickPlainly() computes the same bits without it; tests and benchmarks compare the two.
+// As above, for cells that are stored as levels (sph/colour_values.h). The results have the same
+// bits. alongY and alongZ are counted in cells. Reads up to 16 cells along x. This overload uses
+// AVX2 where the machine has it. sumBrickPlainly() computes the same bits without it; tests and
+// benchmarks compare the two.
 void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const std::uint8_t* low,
               std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out);
 

@@ -10,13 +10,13 @@
 
 namespace resect {
 
-// The masks of many rows of cells. Each row has first the words of the "any" bits, then those of
-// the "full" bits. Bits beyond the row's last cell must be zero.
+// The masks of many rows of cells. For each row, the words of the "any" bits are stored first, then
+// the words of the "full" bits. Bits beyond the row's last cell must be zero.
 struct HeldBits {
   static constexpr std::size_t kWord = 64;  // cells per word
   static constexpr std::size_t kChunk = 4;  // words that are combined at once
-  // words: of one mask, for one row of cells. row: of both masks together, rounded up to a multiple
-  // of kChunk.
+  // words: number of words of one mask for one row of cells. row: number of words of both masks for
+  // one row of cells, rounded up to a multiple of kChunk.
   std::size_t words = 0, row = 0;
   RawArray<std::uint64_t> bits;  // `row` words per row of cells; the caller writes them
 
@@ -30,9 +30,9 @@ struct HeldBits {
 // Combines the masks of all cells of a box, for every position of the box along a row of cells. The
 // box that begins at cell i of the row has two results. Bit i of the words from bits[0] on is set
 // if any cell of the box holds tissue. Bit i of the words from bits[held.words] on is set if any
-// cell of the box is not full. width, rows, planes: cells of the box along x, y and z. first:
-// number of the row where the box begins. perPlane: rows of cells per plane, those of a halo
-// included. bits: room for held.row words.
+// cell of the box is not full. width, rows, planes: number of cells of the box along x, y and z.
+// first: number of the row where the box begins. perPlane: rows of cells per plane, including the
+// rows of a halo. bits: room for held.row words.
 void holdTogether(const HeldBits& held, std::size_t first, int rows, int planes,
                   std::size_t perPlane, int width, std::uint64_t* bits);
 

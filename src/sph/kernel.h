@@ -1,9 +1,9 @@
 // The quartic spline kernel M5 of the thesis, corrected.
 //
 // Source: Schoenberg's quartic B-spline as used in SPH (Monaghan 1985). The thesis has two errors,
-// which are corrected here. In its branch for 0.5 <= s < 1.5 (s = r / h) the term 5 s^2 / 4 has a
-// plus sign; it must have a minus sign. Its factor 1 / pi does not normalise the kernel in three
-// dimensions; the factor 6 / (5 pi) does.
+// which are corrected here. Let s = r / h. In the thesis, the formula for 0.5 <= s < 1.5 has the
+// term 5 s^2 / 4 with a plus sign; the correct sign is minus. The factor 1 / pi of the thesis does
+// not normalise the kernel in three dimensions; the correct factor is 6 / (5 pi).
 #pragma once
 
 #include <numbers>
@@ -12,8 +12,8 @@ namespace resect {
 
 constexpr double kKernelSupport = 2.5;  // radius of the kernel, as a multiple of h
 
-// The spline's shape for s = r / h >= 0. It is 0 from s = 2.5 on, and continuous with its first
-// three derivatives.
+// The spline's shape for s = r / h >= 0. It is 0 from s = 2.5 on. The shape and its first three
+// derivatives are continuous.
 constexpr double kernelShape(double s) {
   const auto fourth = [](double x) { return x > 0 ? x * x * x * x : 0.0; };
   return (fourth(2.5 - s) - 5 * fourth(1.5 - s) + 10 * fourth(0.5 - s)) / 24;

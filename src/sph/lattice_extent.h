@@ -3,8 +3,8 @@
 // The thesis's text file holds two corners of a lattice and the numbers of cells, not the spacing.
 // The distance of the corners divided by the number of cells can be 0.0049999999999999992 where
 // 0.005 was meant. spacingBetween() instead gives the number with the fewest digits that leads from
-// the first corner exactly to the last. settled() gives a lattice this spacing; then the text file
-// restores the lattice exactly.
+// the first corner exactly to the last. settled() gives a lattice this spacing. Then the lattice
+// can be restored exactly from the text file.
 #pragma once
 
 #include "sph/lattice.h"
@@ -14,13 +14,15 @@ namespace resect {
 // The far corner of the lattice as written to a text file: origin + dims * spacing, m.
 Vec3 farCorner(const Lattice& lattice);
 
-// The spacing along each axis, m, of `dims` cells from corner `first` to corner `last`. If one
-// number fits all three axes, it is the spacing on each. An axis that no number fits gets the plain
-// quotient. Corners must be finite; first < last and dims > 0 must hold on each axis.
+// The spacing along each axis, m, of `dims` cells from corner `first` to corner `last`. A number
+// fits an axis if it leads exactly from `first` to `last` there. If one number fits all three axes,
+// it is the spacing along each axis. If no number fits an axis, the spacing along this axis is the
+// distance divided by the number of cells. Corners must be finite; first < last and dims > 0 must
+// hold on each axis.
 Vec3 spacingBetween(const Vec3& first, const Vec3& last, const Vec3i& dims);
 
 // The lattice with its spacing replaced by spacingBetween(origin, farCorner(lattice), dims). This
-// changes only the last bits of the spacing.
+// changes only the last bits of the spacing. A lattice without cells is returned unchanged.
 Lattice settled(Lattice lattice);
 
 }  // namespace resect

@@ -16,8 +16,8 @@
 
 namespace resect {
 
-// Row: one value for each of the four nodes of a row of a brick. Half: the values of two rows, that
-// is, of half a plane of a brick; for processors with vectors of eight floats.
+// Row: the values of the four nodes of a row of a brick. Half: the values of two rows, which are
+// half a plane of a brick. Half suits processors with vectors of eight floats.
 typedef float Row __attribute__((vector_size(16)));
 typedef float Half __attribute__((vector_size(32)));
 
@@ -36,7 +36,8 @@ typedef float Half __attribute__((vector_size(32)));
 }
 
 // The two mirrored sums along an axis. near: the value of the node's own cell; if the node lies
-// between two cells, the sum of these two. far: the sum of the next cell on each side.
+// between two cells, the sum of their values. far: the sum of the values of the next cell on each
+// side.
 template <typename T>
 struct Mirrored {
   T near, far;
@@ -65,17 +66,18 @@ constexpr bool reaches(int y, int z, int k) {
   return square(0, k & 1) + square(y, k & 2) + square(z, k & 4) < 16;
 }
 
+// With two nodes per cell: number of cells in reach of a brick along an axis.
+constexpr int kCellsBetween = 5;
 // SumsBetween: with two nodes per cell, the mirrored sums along x and y. First index: 0 for rows 0
-// and 2 of a brick's nodes, which lie on cell centres in y; 1 for rows 1 and 3, which lie midway.
-// Second index: number of the plane of cells. Third index: number of the sum: bit 0 for x, bit 1
-// for y; a bit is 0 for near, 1 for far.
-constexpr int kCellsBetween =
-    5;  // with two nodes per cell: cells in reach of a brick along an axis
+// and 2 of a brick's nodes, which lie on cell centres along y; 1 for rows 1 and 3, which lie midway
+// between cell centres. Second index: number of the plane of cells. Third index: number of the sum,
+// with bit 0 for x and bit 1 for y. A bit is 0 for near cells and 1 for far cells.
 using SumsBetween = Half[2][kCellsBetween][4];
 
-// Evaluates planes of a brick from the mirrored sums along x and y: plane z if bit z of `planes` is
-// set. Processes eight nodes at a time. It makes about 19 additions and products per node. With
-// the sums along x and y, which the caller computes, the total is about 27 per node.
+// Evaluates planes of a brick from the mirrored sums along x and y. Plane z is evaluated if bit z
+// of `planes` is set. Eight nodes are processed at a time. This takes about 19 additions and
+// products per node; together with the sums along x and y, which the caller computes, about 27 per
+// node.
 [[gnu::always_inline]] inline void weighBetween(const FieldStencil& stencil,
                                                 const SumsBetween& sumsOf, unsigned planes,
                                                 float* out) {

@@ -3,8 +3,8 @@
 // These are the SPH sums of the thesis (equations 3.2 to 3.6) at a point r. A_j, V_j, m_j and r_j
 // are the attribute, volume, mass and position of particle j; W and h are the kernel and its
 // smoothing length (sph/kernel.h). The particles are sorted into a uniform grid once, in O(number
-// of particles); a query visits those in the cells near r. The grid's cells are at least as wide as
-// the kernel's radius, 2.5 h.
+// of particles). A query visits only the particles in the grid's cells near r. The grid's cells are
+// at least as wide as the kernel's radius, 2.5 h.
 //
 // Organs on a lattice use the much faster sph/colour_field.h. The sums here are the general form,
 // and the reference in the tests of the colour field. Sources: Gingold and Monaghan 1977; Muller,
@@ -21,8 +21,8 @@ namespace resect {
 
 class ParticleSums {
  public:
-  // positions: one point per particle, m. volumes: one value V_j > 0 per particle, its mass over
-  // its density, m^3. h > 0, m. Positions and volumes are copied.
+  // positions: one point per particle, m. volumes: per particle, its mass divided by its density,
+  // V_j > 0, m^3. h > 0, m. Positions and volumes are copied.
   ParticleSums(std::span<const Vec3> positions, std::span<const double> volumes, double h);
 
   // Equation 3.2: sum over j of V_j A_j W(r - r_j, h); `attribute` has one value per particle.
@@ -46,7 +46,7 @@ class ParticleSums {
   // Per cell: index of its first sorted particle. The last element is the number of particles.
   std::vector<std::int32_t> cellStart_;
   std::vector<std::int32_t> index_;  // per sorted particle: its number in the constructor
-  std::vector<Vec3> position_;       // sorted by cell, as volume_ is
+  std::vector<Vec3> position_;       // sorted by cell; volume_ is sorted in the same way
   std::vector<double> volume_;
 };
 

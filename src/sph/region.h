@@ -1,5 +1,5 @@
-// A part of an organ, given by geometry and never by cell numbers, so that it is the same part at
-// any spacing. It is a box, a ball or the whole organ, and may be limited to a range of depths
+// A part of an organ. It is given by geometry and never by cell numbers, so it is the same part at
+// any spacing. The part is a box, a ball or the whole organ. It may be limited to a range of depths
 // under the organ's surface. docs/scenarios.md, "Regions", lists the keys with which files give a
 // region.
 #pragma once
@@ -15,8 +15,8 @@
 
 namespace resect {
 
-// A named point of an organ, in fractions of its box: (0, 0, 0) at the lowest corner, (1, 1, 1) at
-// the highest.
+// A named point of an organ. Its coordinates are fractions of the organ's box: (0, 0, 0) is the
+// lowest corner of the box, (1, 1, 1) the highest.
 struct Landmark {
   std::string name;
   Vec3 place = Vec3::Zero();
@@ -64,8 +64,8 @@ struct Region {
   bool holds(const Vec3& p) const;
 };
 
-// The position of the landmark of that name, in fractions of the organ's box. If several have that
-// name, the last one counts; if none has it, the result is empty.
+// The position of the landmark of that name, in fractions of the organ's box. If several landmarks
+// have that name, the last of them counts. If no landmark has it, there is no result.
 std::optional<Vec3> landmarkPlace(const std::vector<Landmark>& landmarks, const std::string& name);
 
 // The position, m, of a point that is given in fractions of a box.

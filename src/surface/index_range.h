@@ -1,4 +1,4 @@
-// A range of array elements: `count` of them from `first` on.
+// A range of array elements: `count` elements, of which the first has the index `first`.
 #pragma once
 
 #include <cstdint>

@@ -7,9 +7,10 @@
 namespace resect {
 
 // Hands out ranges of indices. Sizes are rounded up to multiples of 8, so that a range can take up
-// to 7 more elements without moving. take() gives the range that was released last among those with
-// the rounded size asked for. If there is none, it gives new indices at the end. Each call costs
-// O(1). The same sequence of calls gives the same ranges.
+// to 7 more elements without moving. take() looks for released ranges of the rounded size. Among
+// these it gives the range that was released last. If there is no such range, take() gives new
+// indices at the end of the array. Each call costs O(1). The same sequence of calls gives the same
+// ranges.
 class RangeAllocator {
  public:
   static constexpr std::int32_t kStep = 8;
@@ -28,7 +29,7 @@ class RangeAllocator {
     return first;
   }
   // Releases the range for which take() returned `first`. `count` must round up to the same size as
-  // in that call.
+  // the count in that call of take().
   void release(std::int32_t first, std::int32_t count) {
     const std::size_t size = std::size_t(roundedUp(count) / kStep);
     if (size >= free_.size()) free_.resize(size + 1);
@@ -38,7 +39,7 @@ class RangeAllocator {
 
  private:
   std::int32_t end_ = 0;
-  // Per rounded size / kStep: first indices of the released ranges.
+  // Element n: the first indices of the released ranges of size n * kStep.
   std::vector<std::vector<std::int32_t>> free_;
 };
 

@@ -2,21 +2,21 @@
 // ranges of the surface's arrays the last update changed.
 //
 // The method is incremental marching cubes (Lorensen and Cline 1987) over the bricks of a colour
-// field. The mesh is a function of the field, the iso level and the wound alone: after any edits
-// mesh() equals the mesh of a rebuild from scratch, bit for bit. The mesh is closed and oriented
-// outwards. The cost of an update depends on the number of touched bricks, not on the size of the
-// organ.
+// field. The mesh depends on the field, the iso level and the wound alone. So after any edits
+// mesh() equals, bit for bit, the mesh that a rebuild from scratch gives. The mesh is closed and
+// oriented outwards. The cost of an update depends on the number of touched bricks, not on the size
+// of the organ.
 //
 // Incisions are meshed in the same bricks (wound/wound_brick.h). An incision removes nothing: its
 // two lips coincide until the tissue moves. Bricks without cuts are meshed by marching cubes as
 // usual.
 //
 // points(), normals(), cut() and triangles() are arrays for viewers. Each brick owns a range of the
-// vertices and a range of the triangles. It keeps these ranges as long as their rounded sizes
-// (surface/range_allocator.h) stay the same. So the arrays have unused elements ("holes"); an
-// unused triangle is (0, 0, 0). changes() lists the ranges that a viewer must copy again. Only
-// pictures need normals and cut shares (isosurface/brick_look.h), so updateLook() computes them on
-// demand.
+// vertices and a range of the triangles. A brick keeps its ranges as long as the rounded sizes of
+// the ranges (surface/range_allocator.h) stay the same. So the arrays have unused elements
+// ("holes"). An unused triangle is (0, 0, 0). changes() lists the ranges that a viewer must copy
+// again. Only pictures need normals and cut shares (isosurface/brick_look.h), so they are computed
+// only when updateLook() is called.
 #pragma once
 
 #include <array>
@@ -44,10 +44,11 @@ class SurfaceTracker {
   // Meshes the whole field. iso: in [kMinIso, kMaxIso]. wound: null for an organ without incisions.
   SurfaceTracker(const ColourField& field, float iso, const Wound* wound = nullptr);
 
-  // Meshes the bricks `touched` again; these are the bricks that field.update() returned.
+  // Meshes some bricks again. touched: the bricks that field.update() returned.
   void update(const ColourField& field, std::span<const std::int64_t> touched);
-  // The same for an organ with incisions. severed: the bricks that wound.severed.update() returned.
-  // Once a wound was given, every later call of update() and setIso() must be given one.
+  // As above, for an organ with incisions. severed: the bricks that wound.severed.update()
+  // returned. After a wound was given, every later call of update() and setIso() must be given a
+  // wound too.
   void update(const ColourField& field, std::span<const std::int64_t> touched, const Wound& wound,
               std::span<const TouchedBrick> severed);
   // Sets another iso level and meshes everything again.
@@ -61,13 +62,13 @@ class SurfaceTracker {
   std::span<const Vec3f> points() const { return points_; }  // rest space, m
   // normals() and cut() throw Error if the surface has changed since the last updateLook().
   std::span<const Vec3f> normals() const;  // unit, outwards
-  std::span<const float> cut() const;      // cut shares, 0 to 1; kRimShare at rims of cuts
+  std::span<const float> cut() const;      // cut shares, 0 to 1, or kRimShare at a rim
   std::span<const Triangle> triangles() const { return triangles_; }
   std::int64_t triangleCount() const { return triangleCount_; }  // holes not counted
 
   // Calls visit(first, bindings) for each brick near a wound. `first` is the index of the brick's
-  // first vertex; `bindings` are those of the brick's vertices, in order. Vertices of other bricks
-  // follow all particles round them.
+  // first vertex; `bindings` are the bindings of the brick's vertices, in order. A vertex of any
+  // other brick follows all particles at the corners of the lattice cube that contains it.
   template <typename Visit>
   void visitBindings(Visit visit) const {
     for (const std::int32_t record : recordOf_)
@@ -90,8 +91,8 @@ class SurfaceTracker {
     }
   }
 
-  // Calls visit(triangle, lip) for each triangle of a brick. lip: whether it belongs to a lip of a
-  // wound; if not, it belongs to the organ's outer surface.
+  // Calls visit(triangle, lip) for each triangle of a brick. lip: true for a triangle of a lip of a
+  // wound, false for a triangle of the organ's outer surface.
   template <typename Visit>
   void visitBrick(std::int64_t brick, Visit visit) const {
     const BrickMesh& mesh = meshOf(brick);
@@ -107,25 +108,27 @@ class SurfaceTracker {
       visit(triangle[t], t >= plain && wound[std::size_t(t - plain)].lip);
   }
 
-  // What the last update() or setIso() changed: ranges of vertices and of triangles, or everything.
+  // What the last update() or setIso() changed: some ranges of vertices and of triangles, or
+  // everything.
   struct Changes {
     std::vector<IndexRange> vertices, triangles;
     std::int64_t bricks = 0;  // number of bricks that were meshed
-    bool everything = false;  // the arrays were made anew; the ranges are empty
-    // Grows by 1 with each update. When the arrays are made anew, it becomes a number that no
-    // surface of this process had before. So a viewer can tell that its copy is out of date.
+    bool everything = false;  // true: the arrays were made anew; no ranges are listed
+    // Number of the present version of the arrays, so that a viewer can tell whether its copy is
+    // out of date. It grows by 1 with each update. When the arrays are made anew, it becomes a
+    // number that no surface of this process had before.
     std::uint64_t number = 0;
   };
   const Changes& changes() const { return changes_; }
 
-  // The surface without holes, in the order of the bricks. It depends on the field, the iso level
-  // and the wound alone, not on the edits that led to them.
+  // The surface without holes, in the order of the bricks. It depends on the present field, iso
+  // level and wound alone, not on the history of edits.
   TriangleMesh mesh() const { return mesh(points_); }
-  // The same triangles with other positions. points: one for each vertex of the arrays, holes
-  // included.
+  // The triangles of mesh() with other vertex positions. points: one position for each vertex of
+  // the arrays, holes included.
   TriangleMesh mesh(std::span<const Vec3f> points) const;
-  // mesh() with the normal and the cut share of each point. updateLook() must have been called
-  // after the last change.
+  // mesh() together with the normal and the cut share of each point. updateLook() must have been
+  // called after the last change of the surface.
   struct Compact {
     TriangleMesh mesh;
     std::vector<Vec3f> normals;
@@ -146,15 +149,15 @@ class SurfaceTracker {
 
  private:
   static constexpr std::int32_t kNone = -1;
-  // The first two entries of bricks_ stand for all bricks without a mesh: kOutside for those
-  // outside tissue, kInside for those inside tissue. So a neighbour's inside mask is read without a
-  // branch on whether that neighbour has a mesh.
+  // The first two entries of bricks_ stand for all bricks without a mesh: entry kOutside for bricks
+  // outside tissue, entry kInside for bricks inside tissue. So the inside mask of a neighbouring
+  // brick can be read without a test whether that brick has a mesh.
   static constexpr std::int32_t kOutside = 0, kInside = 1, kFirstOwn = 2;
   struct BrickMesh {
     BrickSigns signs;
     std::int32_t firstVertex = 0, vertices = 0;
     std::int32_t firstTriangle = 0, triangles = 0;
-    std::int16_t wholeTriangles = 0;  // triangles that the brick would have if no cell were cut
+    std::int16_t wholeTriangles = 0;  // number of triangles if no cell were cut
     bool drawAgain = false;           // whether the brick is listed in retriangulate_
     std::int32_t wound = kNone;       // index into wounds_
   };
@@ -197,7 +200,7 @@ class SurfaceTracker {
   void lookIsDue(std::span<const std::int64_t> bricks);
   void writeLook(const ColourField& field, const NodeGrid& grid, std::int64_t brick);
   // Calls visit(vertex, twin) for each vertex in the order of mesh(). twin: whether the vertex is
-  // the same point as the vertex before it.
+  // the twin of the previous vertex, at the same position.
   template <typename Visit>
   void visitVertices(Visit visit) const;
   void placeTriangles(const ColourField& field);
@@ -220,8 +223,8 @@ class SurfaceTracker {
   }
 
   float iso_ = 50;
-  // Per brick: index into bricks_. Some entries follow, so that a look-up above the last brick is
-  // valid too.
+  // Per brick: index into bricks_. Some further entries follow, so that the entry of a brick above
+  // the last one can be read too.
   RawArray<std::int32_t> recordOf_;
   std::vector<BrickMesh> bricks_;
   std::vector<std::int32_t> freeRecords_;
@@ -230,7 +233,7 @@ class SurfaceTracker {
   RangeAllocator vertexSpace_, triangleSpace_;
   RawArray<Vec3f> points_, normals_;
   RawArray<float> cut_;
-  RawArray<std::uint8_t> edges_;  // per vertex of marching cubes: its edge (CrossedEdges)
+  RawArray<std::uint8_t> edges_;  // per marching cubes vertex: its edge (CrossedEdges)
   RawArray<Triangle> triangles_;
   std::int64_t triangleCount_ = 0;
   Changes changes_;
@@ -242,9 +245,9 @@ class SurfaceTracker {
   std::vector<std::int64_t> retriangulate_, withWound_, woundBricks_;
 };
 
-// Builds field and surface together. The result has the same bits as if they were built one after
-// the other. This is faster, since bricks are meshed while their nodes are still in the cache.
-// refine: as for ColourField. iso: as for SurfaceTracker.
+// Builds field and surface together. The result has the same bits as if field and surface were
+// built one after the other. Building them together is faster, since bricks are meshed while their
+// nodes are still in the cache. refine: as for ColourField. iso: as for SurfaceTracker.
 struct FieldAndSurface {
   ColourField field;
   SurfaceTracker surface;

@@ -1,10 +1,10 @@
 // Changes of an organ's surface, for viewers and graphics cards that hold a copy of it.
 //
 // There are three kinds of change: new vertices, moved vertices and new triangles. For each kind
-// there is a list of ranges of the surface's arrays, and lists of the present values in these
-// ranges, range after range. If two ranges overlap, the later one counts. For tissue that only
-// moves, an update holds only points and normals: 24 bytes per vertex. The cost of each function
-// here is proportional to the size of the update.
+// there is a list of ranges of the surface's arrays. Further lists hold the present values in these
+// ranges, range after range. Where two ranges overlap, the values of the later range count. For
+// tissue that only moves, an update holds only points and normals: 24 bytes per vertex. The cost of
+// each function here is proportional to the size of the update.
 #pragma once
 
 #include <algorithm>
@@ -28,14 +28,14 @@ struct SurfaceUpdate {
   std::vector<Vec3f> rest;  // rest positions, m
   std::vector<float> cut;   // cut shares, 0 to 1; kRimShare at rims of cuts
 
-  std::vector<IndexRange> movedVertices;  // includes the new vertices
+  std::vector<IndexRange> movedVertices;  // including the new vertices
   std::vector<Vec3f> points, normals;     // present positions (world, m); normals (unit, outwards)
 
   std::vector<IndexRange> newTriangles;
   std::vector<Triangle> triangles;  // indices of vertices of the whole surface; {0, 0, 0}: unused
 
   std::shared_ptr<const TissueMap> blood, heat;  // null: unchanged
-  // Labelled structures and vessels in the organ; given only if `everything` is true.
+  // The organ's structures and vessels; given only if `everything` is true.
   std::shared_ptr<const TissueMap> structures;
   std::shared_ptr<const VesselPicture> vessels;
 
@@ -53,8 +53,8 @@ void addMovedVertices(SurfaceUpdate& update, IndexRange range, std::span<const V
                       std::span<const Vec3f> normals);
 void addNewTriangles(SurfaceUpdate& update, IndexRange range, std::span<const Triangle> triangles);
 
-// The update that turns any copy into the surface that the spans describe. The spans have one
-// element per vertex, except `triangles`. `rest` may be empty: then the tissue is at rest.
+// The update that turns any copy into the surface that the arguments describe. All arguments except
+// `triangles` have one element per vertex. `rest` may be empty; then the tissue is at rest.
 SurfaceUpdate wholeSurface(std::span<const Vec3f> points, std::span<const Vec3f> normals,
                            std::span<const float> cut, std::span<const Triangle> triangles,
                            std::span<const Vec3f> rest = {});
@@ -67,8 +67,9 @@ struct SurfaceCopy {
 };
 
 // Writes an update into a copy. If a range reaches beyond the end of the copy's arrays, the arrays
-// grow; new triangles outside all ranges are unused, {0, 0, 0}. Throws Error, and changes nothing,
-// if the number of values differs from the sizes of the ranges.
+// grow. If the update gives no value for a triangle that is added in this way, the triangle is
+// unused, {0, 0, 0}. Throws Error, and changes nothing, if the number of values in the update
+// differs from the total size of the ranges.
 void apply(const SurfaceUpdate& update, SurfaceCopy& copy);
 
 }  // namespace resect

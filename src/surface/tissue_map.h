@@ -1,6 +1,5 @@
-// A map over an organ's tissue at rest, for viewers: a grid of texels with two bytes each. They
-// give the thickness of the blood on the tissue, its damage by heat, or the structure that it
-// belongs to.
+// A map over an organ's tissue at rest, for viewers: a grid of texels with two bytes each. There
+// are three kinds of map: of blood on the tissue, of damage by heat, and of structures.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +12,18 @@ namespace resect {
 struct TissueMap {
   static constexpr float kDeepest = 2e-3f;  // m: blood of this thickness or more has the value 255
 
-  // Texel (0, 0, 0) is at `low` in rest space, the next ones `spacing` apart, x fastest; m. The two
-  // bytes of a texel, in a map of blood: thickness of liquid and of clotted blood, as the weighted
-  // mean over the skin at and beside the texel. In a map of heat: share of the tissue that is
-  // coagulated, and share that is charred. In a map of structures: share of the tissue that is
-  // tumour, and share that is any other structure. For shares, 255 means all of the tissue.
+  // low: position of texel (0, 0, 0) in rest space, m. spacing: distance of neighbouring texels, m.
+  // Texels are stored with x fastest. In a map of blood, the first byte of a texel is the thickness
+  // of liquid blood, the second byte the thickness of clotted blood; both are weighted means over
+  // the skin at and beside the texel. In a map of heat, the first byte is the share of the tissue
+  // that is coagulated, the second byte the share that is charred. In a map of structures, the
+  // first byte is the share of the tissue that belongs to a tumour, the second byte the share that
+  // belongs to other structures. The byte 255 stands for a share of 1.
   Vec3f low = Vec3f::Zero();
   Vec3f spacing = Vec3f::Ones();
   Vec3i dims = Vec3i::Zero();
   std::vector<std::uint8_t> texels;  // empty: there is nothing to show
-  Aabb box;                          // of blood, heat: bounds of what the map shows, world, m
+  Aabb box;                          // for blood and heat: bounds of what is shown, world, m
 };
 
 }  // namespace resect

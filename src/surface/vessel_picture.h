@@ -17,7 +17,8 @@ struct VesselPicture {
   Vec3i dims = Vec3i::Zero();
   // Per bin, x fastest: the index in `entries` of its first entry, and the number of its entries.
   std::vector<std::array<float, 2>> bins;
-  // A segment: start (x, y, z), radius, end (x, y, z), and VesselKind as a number; rest space, m.
+  // Each entry is a segment: x, y and z of its start, its radius, x, y and z of its end, and its
+  // VesselKind as a number. Lengths are in m, positions in rest space.
   std::vector<std::array<float, 8>> entries;
 };
 

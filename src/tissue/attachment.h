@@ -1,5 +1,5 @@
 // Attachments: regions of an organ that are pinned or held by a ligament. A region is given by
-// geometry in rest space, so an attachment can be used with any size of the tissue's cells.
+// geometry in rest space, so the same attachment can be used with cells of any size.
 #pragma once
 
 #include "sph/region.h"
@@ -10,12 +10,15 @@ namespace resect {
 // attachment is given to ElasticTissue::attach().
 struct TissueAttachment : Region {
   enum class Kind {
-    Pin,      // cells wholly in the region do not move; a spring holds each cell partly in it
-    Ligament  // a spring pulls each cell to its rest position, if its centre is in the region
+    // A cell that lies wholly in the region does not move. A cell that lies partly in the region is
+    // held by a spring.
+    Pin,
+    // A cell whose centre lies in the region is pulled to its rest position by a spring.
+    Ligament
   };
   Kind kind = Kind::Pin;
-  // For a ligament: the stiffness of all its springs together, N/m. Each spring gets an equal
-  // share, or less if that would be unstable.
+  // For a ligament: the stiffness of all its springs together, N/m. Each spring gets an equal share
+  // of this stiffness, or a smaller stiffness if its equal share would be unstable.
   double stiffness = 200;
 
   template <class Visitor>

@@ -9,7 +9,7 @@
 namespace resect {
 
 struct TissueCord {
-  std::int64_t a = -1, b = -1;  // its two cells, which must differ: indices in the lattice
+  std::int64_t a = -1, b = -1;  // indices of its two cells in the lattice, a != b
   double stiffness = 0;         // N/m
 };
 

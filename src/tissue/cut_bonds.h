@@ -8,10 +8,10 @@
 
 namespace resect {
 
-// The bonds that a cut crosses in rest space, each once, in ascending order of cell, then
-// direction. A bond is the line segment between the centres of its two cells. blade: the cut, in
-// rest space, m. Cost: proportional to the number of cells near the cut times the number of its
-// triangles.
+// The bonds that a cut crosses in rest space. Each bond is listed once; bonds are sorted by cell,
+// then by direction. A bond is the line segment between the centres of its two cells. blade: the
+// cut, in rest space, m. Cost: proportional to the number of cells near the cut, times the number
+// of triangles of `blade`.
 std::vector<TissueBond> crossedBonds(const TissueModel& tissue, const Lattice& lattice,
                                      const SweptBlade& blade);
 

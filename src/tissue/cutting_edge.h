@@ -9,24 +9,27 @@
 
 namespace resect {
 
-// An edge and its motion in one frame. The edge cuts in the direction `tangent x normal`; the
-// tangent points from the edge's first point to its last.
+// An edge and its motion in one frame. The edge cuts in the direction tangent x normal (cross
+// product). The tangent points from the first point of the edge to the last.
 struct CuttingEdge {
-  std::span<const Vec3> points;  // corners of the edge, m, in its own coordinates; at least two
-  Vec3 normal;                   // of the blade's plane, unit, in the same coordinates
-  Pose from, to;                 // of these coordinates in the world, at the frame's start and end
-  double bluntness = 1;          // factor on the energy that a cut needs, 0 or more
-  // Whether the points are taken in reverse order, so that the cuts of two edges that meet have
-  // normals on the same side.
+  std::span<const Vec3> points;  // corners of the edge in its own coordinates, m; at least two
+  Vec3 normal;                   // normal of the blade's plane, unit, in the same coordinates
+  Pose from, to;                 // poses of the edge, world, at the frame's start and end
+  double bluntness = 1;          // factor on the energy that a cut takes, 0 or more
+  // Whether the surface of the cut is built with the points in reverse order. Of two edges that
+  // close towards each other, one needs this, so that the normals of both cuts are on the same
+  // side.
   bool reversed = false;
-  // False: the edge begins no new cut, as with jaws that are not closing. It may continue a cut in
-  // elastic tissue; still tissue is not cut at all.
+  // False if the edge begins no new cut, for example because its jaws are not closing. Such an edge
+  // may continue a cut in elastic tissue. It does not cut still tissue at all.
   bool begins = true;
 };
 
-// Whether the edge's motion can cut: the middle of the edge moves more in the plane of the blade
-// than across it, and in that plane less than 120 degrees away from the direction of the cut. So
-// the edge may slide along itself, but not move sideways or back out of a cut.
+// Whether the edge's motion can cut. Two conditions must hold for the motion of the middle of the
+// edge. The component of this motion in the blade's plane must be larger than the component across
+// the plane. The angle between the component in the plane and the direction of the cut must be less
+// than 120 degrees. So an edge can cut while it slides along itself, but not while it moves
+// sideways or back out of a cut.
 bool movesToCut(const CuttingEdge& edge);
 
 // A cut that an edge made in one frame.

@@ -1,9 +1,9 @@
 // Joints: damped springs that hold two organs together. Each joint leads from a cell of one organ
 // to a cell of another organ.
 //
-// A joint exerts no elastic force as long as the vector between its two cells, in world axes, is
-// the same as at rest. So the organs behave as if glued together at points, not as if hinged. In
-// every substep the forces on the two cells are equal and opposite.
+// A joint exerts no elastic force as long as the vector between its two cells, in world
+// coordinates, is the same as at rest. So the organs behave as if glued together at points, not as
+// if hinged. In every substep the forces on the two cells are equal and opposite.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 namespace resect {
 
 struct TissueJoint {
-  std::array<std::int32_t, 2> organ{};  // numbers of two different organs
+  std::array<std::int32_t, 2> organ{};  // numbers of its two organs, which differ
   std::array<std::int64_t, 2> cell{};   // index of each cell in the lattice of its organ
   Vec3 rest = Vec3::Zero();             // from the first cell to the second at rest, m
   double stiffness = 0;                 // N/m
@@ -31,15 +31,16 @@ struct TissueJoint {
 };
 
 struct JoinedOrgan {
-  std::int32_t number = 0;  // of the organ in the simulation
+  std::int32_t number = 0;  // number of the organ in the simulation
   const Lattice* lattice = nullptr;
   TissueModel* tissue = nullptr;
 };
 
 // Makes a joint from each solid cell of `a` to the nearest solid cell of `b`, if the distance
-// between the two at rest is at most `reach`, m. stiffness: of all these joints together, N/m. Each
-// joint gets an equal share of the stiffness, less if that share would be unstable in a substep of
-// `shortest` s, and none if neither cell can move.
+// between the two at rest is at most `reach`, m. stiffness: stiffness of all these joints together,
+// N/m. Each joint gets an equal share of this stiffness, with two exceptions. If the share would be
+// unstable in a substep of `shortest` s, the joint gets a smaller stiffness. If neither of its
+// cells can move, its stiffness is 0.
 std::vector<TissueJoint> joinNear(const JoinedOrgan& a, const JoinedOrgan& b, double reach,
                                   double stiffness, double shortest);
 

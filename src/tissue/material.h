@@ -4,17 +4,16 @@
 //
 //     Psi(F) = mu/2 (x + b/2 x^2) + (lambda + mu)/2 (J - 1)^2,     x = F:F - 3 - 2 (J - 1)
 //
-// F is the deformation gradient, J its determinant; lambda and mu are Lame's constants; b is the
-// stiffening. x is 0 at rest and gamma^2 in a simple shear by gamma, so the shear modulus grows as
-// 1 + b gamma^2; where x is below 0, b counts as 0. Without stiffening (b = 0) this is a
-// neo-Hookean solid whose energy stays finite when a cell is inverted (after Smith, de Goes, Kim
-// 2018, without their barrier term). At small strain the solid has Young's modulus E and Poisson's
-// ratio nu.
+// F is the deformation gradient and J its determinant. lambda and mu are Lame's constants. b is the
+// stiffening. x is 0 at rest, and gamma^2 in a simple shear by gamma. So the shear modulus grows as
+// 1 + b gamma^2. Where x is below 0, b is replaced by 0. Without stiffening (b = 0) this is a
+// neo-Hookean solid whose energy stays finite when a cell is inverted. It is the material of Smith,
+// de Goes and Kim 2018, without their barrier term. At small strain the solid has Young's modulus E
+// and Poisson's ratio nu.
 //
-// Each Maxwell branch adds to the stress of this solid a deviatoric stress that decays with the
-// branch's relaxation time. At small strain the shear modulus at time t after a sudden strain is
-// mu (1 + sum of share exp(-t / time)), a Prony series. Defaults and their sources:
-// docs/methods/tissue.md.
+// Each Maxwell branch adds a deviatoric stress, which decays with the branch's relaxation time. At
+// time t after a small sudden strain, the shear modulus is mu (1 + sum over the branches of share
+// exp(-t / time)), a Prony series. Defaults and their sources: docs/methods/tissue.md.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +28,7 @@ inline constexpr int kMostBranches = 3;
 
 // A Maxwell branch.
 struct Relaxation {
-  double share = 0;  // modulus of the branch over the shear modulus mu, 0 to 10
+  double share = 0;  // modulus of the branch divided by mu, 0 to 10
   double time = 1;   // relaxation time, s, 0.005 to 1000
 
   bool operator==(const Relaxation&) const = default;
@@ -46,15 +45,16 @@ struct TissueMaterial {
   double density = 1060;             // kg/m^3, 1 to 1e5
   double stiffening = 0;             // b, 0 to 20
   std::vector<Relaxation> branches;  // at most kMostBranches
-  // Capsule on the skin of the material: Young's modulus times thickness, N/m, 0 to 1e5; 0: there
-  // is no capsule. It tears where its tension exceeds `capsuleStrength`, N/m.
+  // capsule: Young's modulus times thickness of the capsule on the skin of this material, N/m, 0 to
+  // 1e5; 0: there is no capsule. capsuleStrength: tension beyond which the capsule tears, N/m.
   double capsule = 0;
   double capsuleStrength = 300;
-  // G: energy per area that a tear needs, J/m^2, above 0; infinity: the material never tears.
-  // Liver: 164 +- 6 (measured with needles; Gokgol et al. 2012).
+  // G: energy per area that a tear needs, J/m^2, above 0. If it is infinite, the material never
+  // tears. For liver, Gokgol et al. 2012 measured 164 +- 6 with needles.
   double tearEnergy = 164;
-  // Energy per area that a cut by a sharp edge needs, J/m^2. capsuleCutEnergy: further energy per
-  // length of capsule that is cut, J/m. If both are 0, the edge meets no resistance.
+  // cutEnergy: energy per area that a cut by a sharp edge takes, J/m^2. capsuleCutEnergy: energy
+  // that the cut takes in addition per length of capsule that is cut, J/m. If both are 0, the edge
+  // meets no resistance.
   double cutEnergy = 0;
   double capsuleCutEnergy = 0;
 
@@ -71,8 +71,8 @@ struct TissueMaterial {
   double shear() const { return young / (2 * (1 + poisson)); }  // mu, Pa
   // lambda, Pa.
   double lame() const { return young * poisson / ((1 + poisson) * (1 - 2 * poisson)); }
-  double viscousShear() const;  // what the branches add to mu under a sudden load, Pa
-  double waveSpeed() const;     // of pressure waves in undeformed tissue, m/s
+  double viscousShear() const;  // sum of the branches' moduli, Pa: added to mu at a sudden load
+  double waveSpeed() const;     // speed of pressure waves in undeformed tissue, m/s
 };
 
 // Tissue without a crack tears where its elastic energy per volume exceeds the tear energy divided
@@ -82,12 +82,12 @@ inline constexpr double kTearLength = 0.01;
 // Psi(F), J/m^3, without the Maxwell branches. The growth b x of the shear modulus is limited to
 // kMostStiffening (tissue/elastic/kernel/elastic_kernel.h).
 double heldEnergy(const TissueMaterial& material, const Mat3& f);
-// The tear energy, J/m^2, with which this material, without a crack, tears when it is pulled slowly
-// to `stretch`. stretch: length divided by length at rest, 1 to 100.
+// The tear energy, J/m^2, for which this material tears at a given stretch if it is pulled slowly
+// and has no crack. stretch: length divided by length at rest, 1 to 100.
 double energyOfStretch(const TissueMaterial& material, double stretch);
 
 // The materials of docs/methods/tissue.md, all with nu = 0.45. That page specifies liver by its
-// Young's modulus, 5 kPa, and the others by their shear modulus.
+// Young's modulus, 5 kPa, and the other materials by their shear moduli.
 TissueMaterial liverTissue();
 TissueMaterial tumourTissue();
 TissueMaterial vesselWallTissue();

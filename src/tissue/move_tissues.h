@@ -17,11 +17,11 @@ struct MovingTissue {
   TissueStep* step = nullptr;  // receives the result; its memory is reused
 };
 
-// Moves tissues through a frame of `duration` s, > 0. organs: by organ number; needed only with
-// joints. If a tissue explodes, that is, if its time integration becomes unstable, it is restored
-// to the frame's beginning, and the frame is repeated with substeps of half the length. With joints
-// all tissues are restored and repeat the frame. Before each substep, throws Cancelled if a
-// stop was requested (base/stop.h).
+// Moves tissues through a frame of `duration` s, > 0. organs: entry i is the organ with number i;
+// needed only if there are joints. A tissue explodes if its time integration becomes unstable. It
+// is then restored to the frame's beginning, and the frame is repeated with substeps of half the
+// length. With joints all tissues are restored and repeat the frame. Before each substep, throws
+// Cancelled if a stop was requested (base/stop.h).
 void moveTissues(std::span<const MovingTissue> tissues, std::span<const TissueJoint> joints,
                  std::span<const JoinedOrgan> organs, double duration);
 // As moveTissues(), for one tissue without joints.

@@ -14,14 +14,15 @@ namespace resect {
 struct Obstacle {
   std::int32_t tool = -1;                 // number of the instrument; -1: not an instrument
   const SignedDistance* shape = nullptr;  // in the obstacle's coordinates; null: see halfSpace
-  // Used if `shape` is null. True: the obstacle is the half space below y = 0 in its own
-  // coordinates. False: the obstacle has no extent, and tissue never touches it.
+  // Used only if `shape` is null. If true, the obstacle is the half space below y = 0 in its own
+  // coordinates. If false, the obstacle has no extent, and tissue never touches it.
   bool halfSpace = false;
   Pose from, to;  // in the world, at the start and at the end of the frame
-  // True for blades and hooks: only cell centres, not the tissue's surface, are kept out of it.
+  // True for instruments with blades, jaws or hooks, which must be able to enter tissue. Then only
+  // cell centres, but not the tissue's surface, are kept out of the obstacle.
   bool enters = false;
   double friction = 0.3;  // Coulomb's coefficient
-  double slipForce = 0;   // force at which an instrument releases all cells it grips, N; 0: never
+  double slipForce = 0;   // force at which a tool releases all cells that it grips, N; 0: never
   std::span<const CuttingEdge> edges{};  // cutting edges of the instrument; empty: it does not cut
 };
 

@@ -1,10 +1,11 @@
 // The 26 neighbours of a cell, their numbering and their weights.
 //
 // Directions are numbered so that direction d and direction 25 - d are opposite. The last 13
-// directions are "forward": each bond is forward as seen from exactly one of its two ends. Weights
-// come from the quartic kernel (sph/kernel.h) with h = 0.8 spacings. Its radius is 2 spacings; the
-// 26 neighbours are exactly the cells nearer than that. A weight depends only on whether the
-// neighbour shares a face, an edge or a corner with the cell.
+// directions are "forward". Each bond has a forward direction from exactly one of its two ends.
+// Weights come from the quartic kernel (sph/kernel.h) with h = 0.8 spacings. The radius of the
+// kernel is 2 spacings. The 26 neighbours are exactly the cells whose distance is smaller than
+// this. A weight depends only on whether the neighbour shares a face, an edge or a corner with the
+// cell.
 #pragma once
 
 #include <array>
@@ -21,7 +22,7 @@ inline constexpr std::uint32_t kAllBonds = (1u << kDirections) - 1;
 // Offset along an axis of the neighbour in direction d: -1, 0 or 1. Directions are ordered with x
 // fastest.
 constexpr int offsetAlong(int d, int axis) {
-  const int place = d < kFirstForward ? d : d + 1;  // of 27 places; place 13 is the cell itself
+  const int place = d < kFirstForward ? d : d + 1;  // 0 to 26; 13 is the cell itself
   return axis == 0 ? place % 3 - 1 : axis == 1 ? place / 3 % 3 - 1 : place / 9 - 1;
 }
 constexpr int opposite(int d) { return kDirections - 1 - d; }
@@ -41,8 +42,9 @@ inline int directionTo(const Vec3i& offset) {
   return place > kFirstForward ? place - 1 : place;
 }
 
-// The weights by kind of neighbour (index 1, 2, 3; index 0 is not used): -V W'(r) / r times the
-// squared spacing. V is the volume of a cell, W the kernel, r the distance of the neighbour.
+// The weights of neighbours: -V W'(r) / r times the squared spacing. The index is neighbourKind(),
+// 1 to 3; element 0 is not used. V is the volume of a cell, W is the kernel, and r is the distance
+// of the neighbour.
 std::array<double, 4> bondWeights();
 
 }  // namespace resect

@@ -1,7 +1,7 @@
-// Tissue that never moves, as in the original system. It takes one byte of memory per cell.
+// Tissue that never moves, as in the system of the thesis. It takes one byte of memory per cell.
 //
-// Edits change still tissue as they change any tissue: cells can be removed, bonds can be severed,
-// and tools can grip cells. A cutting edge meets no resistance: it cuts wherever it passes.
+// Edits apply to still tissue as to any tissue: cells can be removed, bonds can be severed, and
+// tools can grip cells. A cutting edge meets no resistance: it cuts wherever it passes.
 #pragma once
 
 #include "sph/lattice.h"

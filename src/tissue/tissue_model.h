@@ -1,5 +1,5 @@
-// Interface of tissue models: still tissue as in the original system, elastic tissue, or a model
-// that a user adds.
+// Interface of tissue models. Resect has two models, still tissue and elastic tissue; users can add
+// others.
 //
 // Cells are given by their index in the organ's lattice. Tissue "explodes" when its time
 // integration becomes unstable.
@@ -28,9 +28,9 @@ struct TissueBond {
 // Result of a frame for one tissue, and the edits that follow from it.
 struct TissueStep {
   std::int32_t substeps = 0;
-  std::int32_t retries = 0;  // how often the frame was repeated with shorter substeps
-  bool calm = true;          // false: even the shortest substep exploded; the tissue was stopped
-  std::vector<Vec3> force;   // on each obstacle, mean over the frame, N
+  std::int32_t retries = 0;         // number of repetitions of the frame with shorter substeps
+  bool calm = true;                 // false: exploded even with the shortest substep; was stopped
+  std::vector<Vec3> force;          // per obstacle: mean force on it over the frame, N
   std::vector<TissueBond> torn;     // bonds that tear: to be severed
   std::vector<std::int32_t> letGo;  // tools whose grip slipped: to be released
   std::vector<TissueCut> cuts;      // cuts that edges made, in the order of the obstacles
@@ -64,51 +64,52 @@ class TissueModel {
   // False for tissue that never leaves its rest positions.
   virtual bool moves() const = 0;
 
-  // Tells the model where the surface of the tissue at rest is, so that obstacles touch the tissue
-  // there. Call before the first frame. A model may ignore the call. patches: ascending by cell.
+  // Tells the model where the surface of the tissue at rest is. Obstacles then touch the tissue at
+  // this surface. Call before the first frame. A model may ignore the call. patches: ascending by
+  // cell.
   virtual void setSurface(std::span<const SurfacePatch>) {}
 
-  // Replaces all cords. The model may make some cords less stiff, so that they are stable; it
-  // ignores those whose cells hold no tissue. Cords are not part of the state: set them again after
-  // a state was restored. A model may ignore all cords.
+  // Replaces all cords. The model may make some cords less stiff, so that they are stable. It
+  // ignores cords whose cells hold no tissue. Cords are not part of the state: after a state was
+  // restored, they must be set again. A model may ignore all cords.
   virtual void setCords(std::span<const TissueCord>) {}
 
   // A frame lasts `duration` s, > 0. It consists of one call of beginFrame(), one call of substep()
   // for each of several equal substeps, and one call of endFrame(). moveTissues()
-  // (tissue/move_tissues.h) chooses the number of substeps and makes these calls; with joints all
-  // tissues take the same number. `obstacles` must stay valid until endFrame().
+  // (tissue/move_tissues.h) chooses the number of substeps and makes these calls. With joints, all
+  // tissues take the same number of substeps. `obstacles` must stay valid until endFrame().
   virtual void beginFrame(double duration, std::span<const Obstacle> obstacles) = 0;
-  // Least number of substeps that the tissue needs in this frame; 0: it needs none.
+  // Least number of substeps that the tissue needs in this frame; may be 0.
   virtual int substepsWanted() const = 0;
   // Computes substep `number`, from 1 to `count`. Returns false if the tissue has exploded.
   virtual bool substep(int number, int count) = 0;
-  // Restores the tissue to the frame's beginning. exploded: true for the tissue that has exploded;
-  // it takes shorter substeps from now on. Returns false if shorter substeps are not allowed. The
-  // tissue is then stopped and takes no further part in the frame.
+  // Restores the tissue to the frame's beginning. exploded: whether this tissue has exploded; if
+  // so, it takes shorter substeps from now on. Returns false if shorter substeps are not allowed.
+  // In that case the tissue is stopped and takes no further part in the frame.
   virtual bool startAgain(bool exploded) = 0;
   // Writes the frame's result to `step`, whose memory is reused.
   virtual void endFrame(TissueStep& step) = 0;
   // Writes to `touch` how the tool presses and holds the tissue at the end of the last frame, in
-  // the order of the cells. Call after endFrame(); between the two calls, no other change of the
-  // tissue than tears is allowed. `touch` is overwritten; its memory is reused. Tissue that does
-  // not move leaves it empty.
+  // the order of the cells. Call after endFrame(). Between the two calls, the tissue may be changed
+  // by tears, but not in any other way. `touch` is overwritten; its memory is reused. Tissue that
+  // does not move leaves `touch` empty.
   virtual void touchOf(std::int32_t, TissueTouch& touch) const { touch.clear(); }
   // Applies an additional external force, N, to a cell, for the next substep only. mayPull() must
   // have been called for this cell before.
   virtual void pull(std::int64_t cell, const Vec3& force) = 0;
   virtual void mayPull(std::int64_t cell) = 0;
 
-  // The functions from here down to settle() are edits. They take effect at once; settle() then
-  // updates derived data.
+  // The functions from here down to settle() are edits. They take effect immediately. Call settle()
+  // afterwards: it updates the derived data.
   virtual void remove(std::int64_t cell) = 0;
   virtual void sever(std::int64_t cell, int direction) = 0;  // direction: tissue/stencil.h
-  // The tool grips the cell: from now on it holds the cell at its present position relative to the
-  // tool. pose: the tool's pose at the start of this frame.
+  // The tool grips the cell: from now on, the tool holds the cell at the cell's present position
+  // relative to the tool. pose: the tool's pose at the start of this frame.
   virtual void grip(std::int64_t cell, std::int32_t tool, const Pose& pose) = 0;
   virtual void release(std::int32_t tool) = 0;
   virtual void settle() = 0;
-  // material() gives null if the model has no materials or the cell is gone; setMaterial() then
-  // does nothing.
+  // If the model has no materials, or if the cell is gone, material() returns null and
+  // setMaterial() does nothing.
   virtual const TissueMaterial* material(std::int64_t cell) const = 0;
   virtual void setMaterial(std::int64_t cell, const TissueMaterial& material) = 0;
   virtual std::int32_t gripped(std::int32_t tool) const = 0;  // number of cells that the tool grips
@@ -127,8 +128,8 @@ class TissueModel {
 
   // Visits the state, field by field (base/state/state_visitor.h). To load a state, call
   // beginRestore(), then visit() with a visitor that loads, then endRestore(). endRestore()
-  // computes the derived data. It throws Error when the loaded fields do not fit this tissue; the
-  // tissue is then unusable until another state is loaded.
+  // computes the derived data. It throws Error if the loaded fields do not fit this tissue. Then
+  // the tissue is unusable until another state is loaded.
   virtual void visit(StateVisitor& visitor) = 0;
   virtual void visitMade(StateVisitor& visitor) = 0;
   virtual void beginRestore() = 0;

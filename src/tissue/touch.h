@@ -16,17 +16,17 @@ struct PressedPoint {
   Vec3 place;                      // middle of the patch, world, m
   Vec3 outwards;                   // normal of the instrument's surface there, unit
   double area;                     // part of the patch that the instrument covers, m^2, at rest
-  double force;                    // on the tissue along `outwards`, N, > 0
-  double stiffness;                // of the patch's spring at this depth, N/m
-  double damping;                  // of the patch's spring, N s/m
-  const TissueMaterial* material;  // of the tissue below the patch; valid until the next step
+  double force;                    // force on the tissue along `outwards`, N, > 0
+  double stiffness;                // stiffness of the patch's spring at this depth, N/m
+  double damping;                  // damping of the patch's spring, N s/m
+  const TissueMaterial* material;  // of the tissue under the patch; valid until the next step
 };
 
 // A cell that the instrument grips.
 struct HeldPoint {
-  Vec3 place;                      // of the cell's anchor, which moves with the tool; world, m
-  Vec3 force;                      // on the instrument, N
-  double stiffness, damping;       // of the spring from cell to anchor, N/m and N s/m
+  Vec3 place;                      // the spring's anchor, which moves with the tool; world, m
+  Vec3 force;                      // force on the instrument, N
+  double stiffness, damping;       // of the spring from the cell to the anchor, N/m, N s/m
   const TissueMaterial* material;  // of the cell; valid until the next step
 };
 

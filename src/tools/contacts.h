@@ -1,9 +1,10 @@
 // Contacts: the particles that a tool's body touches on its way from one pose to the next.
 //
 // The broad phase finds the particles whose present positions are in the box round the tool's
-// motion. For still tissue away from the tool, this phase costs one box test. The particles found
-// are then tested exactly against the tool's sweep (collision/inside.h). No particle is missed,
-// however far the tool moves in a frame and however thin the tool is.
+// motion. If the tissue is still and the tool is far from it, this phase costs one box test. The
+// particles that the broad phase finds are then tested exactly against the tool's sweep
+// (collision/inside.h). No particle is missed, however far the tool moves in a frame and however
+// thin the tool is.
 #pragma once
 
 #include "tools/tool.h"
@@ -11,15 +12,16 @@
 namespace resect {
 
 // from, to: the tool's poses at the start and end of the frame. The caller sets `tool` and `organ`
-// of the result. For still tissue the overlap volume is measured too: the volume that tool and
-// organ share at `to`, before the tool acts. It is measured with layered depth images of both
-// surfaces, with 32 pixels along the longer side of the region where the two may meet. The
-// intervals along z are exact, so only the pixels cause an error: about 5 % for a scalpel's blade.
+// of the result. If the tool touches particles of still tissue, the overlap volume is measured too.
+// This is the volume that tool and organ share at the pose `to`, before the tool acts. It is
+// measured with layered depth images of both surfaces. They have 32 pixels along the longer side of
+// the region where the two surfaces may meet. The intervals along z are exact, so only the size of
+// the pixels causes an error: about 5 % for a scalpel's blade.
 ToolContacts findContacts(const Organ& organ, const TissueModel& tissue, const Tool& tool,
                           const Pose& from, const Pose& to);
 
-// Whether the tool is able to enter tissue (Obstacle::enters): true if it has an edge, a hook or
-// jaws.
+// Whether the tool must be able to enter tissue (Obstacle::enters): true if it has an edge, a hook
+// or jaws.
 bool entersTissue(const ToolModel& tool);
 
 }  // namespace resect

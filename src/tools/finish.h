@@ -5,7 +5,7 @@
 
 namespace resect {
 
-// Each number is from 0 to 1. The defaults are those of the steel of the scissors that come with
+// Each number is from 0 to 1. The defaults describe the steel of the scissors that come with
 // Resect.
 struct Finish {
   Vec3f diffuse{0.62f, 0.63f, 0.65f};

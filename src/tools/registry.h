@@ -25,10 +25,10 @@ struct ToolKind {
 // All kinds of instrument, in the order in which they are shown to people.
 std::span<const ToolKind> toolKinds();
 
-// Makes a tool. Its working parts are those that model.parts names; if model.parts is empty, those
-// of model.kind. But if model.response is "remove", its only part is a Remover. Throws Error if the
-// name of a kind or part is unknown; the Error lists the known names. Also throws Error if the
-// model's mesh or numbers are wrong.
+// Makes a tool. If model.response is "remove", the tool's only working part is a Remover. Otherwise
+// its working parts are the parts that model.parts names. If model.parts is empty, the tool gets
+// the parts of model.kind. Throws Error if the name of a kind or part is unknown; the message lists
+// the known names. Also throws Error if the model's mesh or numbers are wrong.
 std::unique_ptr<Tool> makeTool(ToolModel model);
 
 }  // namespace resect

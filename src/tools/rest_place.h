@@ -1,5 +1,5 @@
-// Converts a position in the world to the position in rest space of the same point of the tissue,
-// and back.
+// Finds the rest position of a point of the tissue from its present position in the world, and the
+// present position from the rest position.
 #pragma once
 
 #include <optional>
@@ -9,12 +9,13 @@
 
 namespace resect {
 
-// The position in rest space of the point of the tissue that is at `world` now, m. It is found from
-// the displacement and gradient of the nearest particle. None if no particle is within two cells.
+// The rest position, m, of the point of the tissue that is now at `world`. It is computed from the
+// displacement and gradient of the nearest particle. None if no particle is within two cells.
 std::optional<Vec3> restPlace(const Organ& organ, const TissueModel& tissue, const Vec3& world);
 
-// The present position in the world of the point at `rest` in rest space, m. It is found from the
-// particle that is nearest to `rest` in rest space; if no particle is near, `rest` is returned.
+// The present position in the world, m, of the point with the rest position `rest`. It is computed
+// from the displacement and gradient of the particle that is nearest to `rest` in rest space. If no
+// particle is near, returns `rest`.
 Vec3 presentPlace(const Organ& organ, const TissueModel& tissue, const Vec3& rest);
 
 }  // namespace resect

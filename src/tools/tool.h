@@ -17,7 +17,7 @@ namespace resect {
 struct Jaws {
   Vec3 pivot = Vec3::Zero();  // m
   Vec3 axis = Vec3::UnitX();  // unit
-  double opening = 0;         // angle between the edges when wide open, rad; 0: it has no jaws
+  double opening = 0;         // angle between the edges when wide open, rad; 0: no jaws
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -28,10 +28,11 @@ struct Jaws {
 // A piece of an instrument as viewers draw it, in the tool's frame, with the jaws closed.
 struct DrawnPart {
   TriangleMesh mesh;
-  std::vector<Vec3f> normals{};    // unit, one for each point; none: viewers compute them
+  std::vector<Vec3f> normals{};    // unit, one per point; empty: viewers compute them
   std::optional<Finish> finish{};  // none: steel
-  bool closed = false;             // mesh closed, oriented outwards: back faces are never seen
-  // Angle by which the part is turned about the jaws' pivot and axis when the jaws are wide open,
+  // Whether the mesh is closed and oriented outwards, so that its back faces are never seen.
+  bool closed = false;
+  // Angle by which the part is turned when the jaws are wide open, about the jaws' pivot and axis,
   // rad; 0 for a part that is not a jaw.
   double opens = 0;
 
@@ -42,22 +43,22 @@ struct DrawnPart {
   }
 };
 
-// An instrument's shape and working parts. Coordinates are those of the tool's frame, m: the tip is
-// at the origin, the handle along +Z.
+// An instrument's shape and working parts. Coordinates are in the tool's frame, m. Unless `tip` and
+// `axis` say otherwise, the tip is at the origin and the handle is on the +Z axis.
 struct ToolModel {
   std::string name;                // shown to people
   std::string kind;                // chooses its working parts: see tools/registry.h
-  std::vector<std::string> parts;  // names of its working parts; empty: those of its kind
+  std::vector<std::string> parts;  // names of its working parts; empty: the parts of its kind
   std::string description;         // one sentence for people
   std::filesystem::path file;      // the model's file, for messages
   TriangleMesh mesh;               // closed, oriented outwards
   Vec3 tip = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();  // unit, from tip to handle
-  // Cutting edge from tip to heel; with jaws, where the edges of both jaws lie when closed. Empty
-  // for a blunt tool.
+  // Cutting edge from tip to heel. For a tool with jaws: the line in which the edges of both jaws
+  // lie when the jaws are closed. Empty for a blunt tool.
   std::vector<Vec3> edge;
-  Jaws jaws;                     // the mesh shows them wide open
-  std::vector<DrawnPart> drawn;  // for viewers; none: they draw the mesh
+  Jaws jaws;                     // `mesh` shows them wide open
+  std::vector<DrawnPart> drawn;  // for viewers; empty: viewers draw `mesh`
   std::vector<Vec3> hook;        // centre line of a hook's bend; empty: the tool has no hook
   Vec3 point = Vec3::Zero();     // end of the hook
   double contactRadius = 0;      // radius of a round tip; 0: the tool has none
@@ -65,9 +66,10 @@ struct ToolModel {
   // instruments of the thesis did.
   std::string response;
   double friction = 0.3;  // Coulomb's coefficient, on tissue
-  // Energy that a cut with the tool's edges takes, divided by that with a new blade; 0 or more.
+  // Energy that a cut with the tool's edges takes, divided by the energy that a cut with a new
+  // blade takes; 0 or more.
   double bluntness = 1;
-  double slipForce = 6.0;  // N: pull at which a hook or forceps release their cells; 0: never
+  double slipForce = 6.0;  // force at which a hook or forceps release their cells, N; 0: never
 };
 
 struct Tool {

@@ -1,6 +1,6 @@
-// Interface of working parts. Those that come with Resect are in tools/parts/. A working part finds
-// the tissue that it acts on and queues edits, or it has edges that cut. It changes no tissue
-// itself, and it need not know whether the tissue moves.
+// Interface of working parts. The working parts that come with Resect are in tools/parts/. A
+// working part finds the tissue that it acts on, and queues edits; or it has edges that cut. A
+// working part changes no tissue itself, and need not know whether the tissue moves.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct ToolModel;
 // Pose, squeeze and pedal of a tool at one moment.
 struct ToolStance {
   Pose pose;           // world
-  double squeeze = 1;  // how far its jaws are closed: 0 wide open, 1 closed
+  double squeeze = 1;  // of the jaws: 0 wide open, 1 closed
   double pedal = 0;    // of an energy device: 0 released, 1 pressed
 
   template <class Visitor>
@@ -38,14 +38,14 @@ struct ToolWay {
 
 // What the body of one tool touches of one organ in one frame.
 struct ToolContacts {
-  std::int32_t tool = -1, organ = -1;  // their numbers in the simulation
+  std::int32_t tool = -1, organ = -1;  // numbers of tool and organ in the simulation
   std::vector<std::int64_t> cells;     // particles inside the volume that the tool swept, ascending
-  // Volume that organ and tool share at the end of the frame, m^3. It is not measured for tissue
-  // that can move: then 0.
+  // Volume that organ and tool share at the end of the frame, m^3. It is not measured, and is 0, if
+  // the tissue can move or if `cells` is empty.
   double overlapVolume = 0;
-  // World coordinates, m. For still tissue: the common part of the organ's box and the box round
-  // the tool's motion. For tissue that can move: the box round the particles near the tool. Empty
-  // if these boxes have no common part, or no particle is near.
+  // A box in world coordinates, m. For still tissue: the common part of the organ's box and the box
+  // round the tool's motion; empty if they have no common part. For tissue that can move: the box
+  // round the particles near the tool; empty if no particle is near.
   Aabb volumeOfInterest;
 };
 
@@ -71,10 +71,11 @@ class WorkingPart {
  public:
   virtual ~WorkingPart() = default;
   // Appends edits to `edits`. Called for each organ in each frame in which the tool is in hand.
-  // When no tissue is near, it must be cheap and allocate nothing.
+  // When no tissue is near, a call must be cheap and allocate nothing.
   virtual void act(const Touch&, std::vector<TissueEdit>&) const {}
   // Appends the part's cutting edges. Called in each frame in which the tool is in hand. The tissue
-  // decides what they cut (tissue/cutting_edge.h). Their points must stay valid during the frame.
+  // model decides what the edges cut (tissue/cutting_edge.h). CuttingEdge::points must stay valid
+  // during the frame.
   virtual void addEdges(const ToolModel&, const ToolWay&, std::vector<CuttingEdge>&) const {}
 };
 

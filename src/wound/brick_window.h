@@ -1,5 +1,6 @@
-// Dense arrays with the field values of the nodes and the severed edges in a box of grid nodes. The
-// box is a brick with its halo, or any other box. The code that meshes wounds reads these arrays.
+// Dense arrays for a box of grid nodes: the field values of the nodes and the severed edges between
+// them. The box is a brick with its halo, or any other box. The code that meshes wounds reads these
+// arrays.
 #pragma once
 
 #include "base/index_box.h"

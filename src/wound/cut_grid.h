@@ -3,10 +3,10 @@
 // the whole grid.
 //
 // A CutGrid points to arrays that another object holds. Nodes outside the window count as outside
-// the tissue, and edges to them count as whole. Nodes are given by their index in the window. A
-// cell here is a cell of the grid; its lowest node identifies it. An edge or a face is identified
-// by its lowest node and an axis; a face's axis is that of its normal. Lengths are in node
-// spacings. Positions are relative to the window's first node.
+// the tissue, and edges to them count as whole. Nodes are given by their index in the window.
+// "Cell" here means a cell of the grid; its lowest node identifies it. An edge is identified by its
+// lowest node and its axis. A face is identified by its lowest node and the axis of its normal.
+// Lengths are in node spacings. Positions are relative to the window's first node.
 #pragma once
 
 #include <array>
@@ -18,12 +18,12 @@
 namespace resect {
 
 struct CutGrid {
-  Vec3i first = Vec3i::Zero();  // node of the colour field's grid where the window begins
-  Vec3i dims = Vec3i::Zero();   // nodes of the window along each axis
+  Vec3i first = Vec3i::Zero();  // the window's first node, in the colour field's grid
+  Vec3i dims = Vec3i::Zero();   // number of nodes along each axis
   float iso = 50;
-  const float* value = nullptr;  // field value per node, x fastest; inside where >= iso
-  // Per axis, and by the index of an edge's lower node: the cut's position along the edge, 0 to 1,
-  // or kWhole.
+  const float* value = nullptr;  // field value per node, x fastest; a node is inside if >= iso
+  // First index: axis of an edge. Second index: the edge's lower node. Value: position of the cut
+  // along the edge, 0 to 1, or kWhole.
   std::array<const float*, 3> severed{};
   const SeveredEdges* wound = nullptr;  // traces and normals of the cuts; null: there are none
 
@@ -40,9 +40,9 @@ struct CutGrid {
   bool whole(int i, int axis) const { return severed[std::size_t(axis)][i] == kWhole; }
 };
 
-// The two axes that span a face whose normal is along `axis`. With the unit vectors u along
-// nextAxis() and v along lastAxis(), the face's corners in order are 0, u, u + v and v, as offsets
-// from its node.
+// The two axes that span a face whose normal is along `axis`. Let u be the unit vector along
+// nextAxis(), and v along lastAxis(). As offsets from the face's node, the face's corners in order
+// are 0, u, u + v and v.
 constexpr int nextAxis(int axis) { return (axis + 1) % 3; }
 constexpr int lastAxis(int axis) { return (axis + 2) % 3; }
 
@@ -55,8 +55,8 @@ constexpr NearbyNodes nearbyNode(int x, int y, int z) {
 inline NearbyNodes nearbyNode(const Vec3i& offset) {
   return nearbyNode(offset.x(), offset.y(), offset.z());
 }
-// The mask of the same nodes round another reference node, which is one lower along the axis. Nodes
-// that the mask cannot hold are dropped.
+// Returns the same set of nodes as a mask round another reference node, which is one node lower
+// along the axis. Nodes that the new mask cannot hold are dropped.
 constexpr NearbyNodes seenFromBelow(NearbyNodes nodes, int axis) {
   return axis == 0   ? (nodes & 0x7777777777777777) << 1
          : axis == 1 ? (nodes & 0x0fff0fff0fff0fff) << 4

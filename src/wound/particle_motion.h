@@ -1,6 +1,6 @@
 // The affine motion of the tissue round a particle. A point with rest position X is displaced by
-// shift + gradient * X, where the gradient is F - I and F is the deformation gradient. A vertex
-// that follows several particles has the weighted mean of their motions.
+// shift + gradient * X. Here `gradient` is F - I, and F is the deformation gradient. A vertex that
+// follows several particles has the weighted mean of their motions.
 #pragma once
 
 #include "base/vec.h"
@@ -11,8 +11,8 @@ struct ParticleMotion {
   Column shift{}, gradient[3]{};  // shift: m; gradient: the three columns of F - I
 };
 
-// The motion round one particle. rest: its rest position, m. displacement: its displacement, m.
-// gradient: F - I at the particle.
+// The motion round one particle. rest: the particle's rest position, m. displacement: the
+// particle's displacement, m. gradient: F - I at the particle.
 inline ParticleMotion particleMotion(const Vec3f& rest, const Vec3f& displacement,
                                      const Eigen::Matrix3f& gradient) {
   return {column(displacement - gradient * rest),

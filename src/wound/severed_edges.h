@@ -1,10 +1,10 @@
 // The severed grid edges of an organ, and the traces of blades on the grid's faces.
 //
-// The grid is that of the colour field's nodes. All lengths are in node spacings. A severed edge
-// keeps the position and the normal of its first cut, and never becomes whole again. An uncut organ
-// stores nothing. The first cut allocates a few bytes for every brick of the grid. In addition,
-// each brick that a blade went through has a record. After the first cut, severing an edge costs
-// O(1).
+// The grid is the grid of the colour field's nodes. All lengths are in node spacings. A severed
+// edge keeps the position and the normal of its first cut, and never becomes whole again. An uncut
+// organ stores nothing. The first cut allocates a few bytes for every brick of the grid. In
+// addition, each brick that a blade went through gets a record. After the first cut, severing an
+// edge costs O(1).
 #pragma once
 
 #include <array>
@@ -18,24 +18,25 @@
 namespace resect {
 
 constexpr float kWhole = -1;  // cut position of an edge that is not severed
-// A cut lies at least this fraction of the edge's length away from each end of the edge, so that
-// both sides have a piece of the edge.
+// A cut keeps at least this distance from both ends of the edge, as a fraction of the edge's
+// length. So there is a piece of the edge on each side of the cut.
 constexpr float kCutMargin = 0.03f;
 
-// A straight line that a blade left on a face. Each end has two coordinates in the face, from 0 to
-// 1: the first along nextAxis(), the second along lastAxis() of the face's axis (wound/cut_grid.h).
+// A straight line that a blade left on a face. Each end of the line has two coordinates in the
+// face, from 0 to 1. The first is along nextAxis() of the face's axis, the second along lastAxis()
+// (wound/cut_grid.h).
 struct FaceTrace {
   Eigen::Vector2f from = Eigen::Vector2f::Zero(), to = Eigen::Vector2f::Zero();
 };
 
 struct TouchedBrick {
   std::int64_t brick;
-  bool within;  // true: the change is in the brick's own cells; false: only near them
+  bool within;  // true: the change is in the brick's own cells; false: only near these
 };
 
 class SeveredEdges {
  public:
-  // brickDims, refine: of the colour field.
+  // brickDims, refine: as in the colour field.
   SeveredEdges(const Vec3i& brickDims, int refine) : brickDims_(brickDims), refine_(refine) {}
 
   bool empty() const { return records_.empty(); }
@@ -45,19 +46,21 @@ class SeveredEdges {
   // [kCutMargin, 1 - kCutMargin]. normal: the blade's normal in rest space, of any length and sign.
   // If the edge is severed already, returns false and changes nothing.
   bool sever(const Vec3i& node, int axis, double t, const Vec3& normal);
-  // Records a trace on the face at `node` whose normal is along `axis`. If the face has an earlier
-  // trace that this one continues straight on, extends the earlier trace instead.
+  // Records a trace on the face at `node` whose normal is along `axis`. If the new trace continues
+  // an earlier trace of the face in the same straight line, the earlier trace is extended instead.
   void trace(const Vec3i& node, int axis, const FaceTrace& line);
 
   // at(), betweenCells(), normal() and visitTraces() also accept nodes outside the grid, where
-  // nothing is severed. at(): the cut's position as a fraction of the edge's length, 0 to 1.
-  float at(const Vec3i& node, int axis) const;  // kWhole where not severed
-  // Between the mid-planes of two neighbouring cells, a grid line has `refine` edges. Returns
-  // whether any of the edges is severed on the stretch that contains the given edge: a cut then
-  // lies between the two cells. The node's coordinate along the axis must not be negative.
+  // nothing is severed. at(): the cut's position as a fraction of the edge's length, 0 to 1; kWhole
+  // for an edge that is not severed.
+  float at(const Vec3i& node, int axis) const;
+  // Whether a cut lies between two cells on the grid line through the given edge. Between the
+  // mid-planes of two neighbouring cells, a grid line has a stretch of `refine` edges. Returns true
+  // if any edge of the stretch that contains the given edge is severed. The node's coordinate along
+  // the axis must not be negative.
   bool betweenCells(const Vec3i& node, int axis) const;
-  Vec3f normal(const Vec3i& node,
-               int axis) const;  // of the cut in a severed edge; unit, not negative along `axis`
+  // Normal of the cut in a severed edge; unit, and not negative along `axis`.
+  Vec3f normal(const Vec3i& node, int axis) const;
   // Calls visit(const FaceTrace&) for the traces on a face, in the order in which they were
   // recorded.
   template <typename Visit>
@@ -68,10 +71,10 @@ class SeveredEdges {
       visit(r->traces[std::size_t(i)].line);
   }
 
-  // mask() and shares() give data of the edges along an axis whose lower node is one of the brick's
-  // 64 nodes. mask(): which of these edges are severed; bit n stands for the edge whose lower node
-  // is node n of the brick. shares(): their cut positions, as from at(), in the order of these
-  // nodes; null if the brick has no record.
+  // mask() and shares() give data of 64 edges along an axis: the edges whose lower nodes are the
+  // nodes of the brick. mask(): which of these edges are severed. Bit n stands for the edge whose
+  // lower node is node n of the brick. shares(): for each of these edges, in the order of the
+  // nodes, the value that at() gives. shares() is null if the brick has no record.
   std::uint64_t mask(std::int64_t brick, int axis) const {
     const Record* r = recordOfBrick(brick);
     return r ? r->severed[std::size_t(axis)] : 0;
@@ -81,15 +84,15 @@ class SeveredEdges {
     return r ? r->share[std::size_t(axis)].data() : nullptr;
   }
   // True if a blade severed an edge or left a trace in a lattice cube that contains a grid cell of
-  // the brick; may also be true for other bricks round the blade. Where near() is false, the
-  // surface is that of an uncut organ.
+  // the brick. May also be true for other bricks round the blade. Where near() is false, the
+  // surface is the same as that of an uncut organ.
   bool near(std::int64_t brick) const { return !near_.empty() && near_[std::size_t(brick)] != 0; }
 
-  // The bricks whose surface depends on edges severed or traces recorded since the last update(),
-  // in ascending order, each once. Bricks for which near() is false are left out. The span is valid
-  // until the next call.
+  // The bricks whose surface depends on edges that were severed, or on traces that were recorded,
+  // since the last update(). Each brick is listed once, in ascending order. Bricks for which near()
+  // is false are left out. The span is valid until the next call.
   std::span<const TouchedBrick> update();
-  // The bricks that the next update() will consider, in any order.
+  // The bricks that the next update() will examine, in any order.
   std::span<const std::int64_t> pending() const { return pending_; }
 
   std::size_t bytes() const;
@@ -158,7 +161,7 @@ class SeveredEdges {
 
   Vec3i brickDims_;
   int refine_;
-  std::vector<std::int32_t> recordOf_;  // per brick: index in records_ or -1; empty: no records
+  std::vector<std::int32_t> recordOf_;  // per brick: index in records_, or -1; empty: no records
   std::vector<Record> records_;
   std::vector<std::uint8_t> near_;       // per brick: near()
   std::vector<std::uint8_t> pendingOf_;  // per brick: 0, or bits for the next update()

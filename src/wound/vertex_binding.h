@@ -1,11 +1,12 @@
 // Bindings: the particles that a vertex near a wound follows, with their weights.
 //
-// A lattice cube has the centres of eight neighbouring cells as its corners. Far from wounds a
-// vertex follows the particles at the corners of the lattice cube that it lies in. Beside a cut it
-// must follow only the particles on its own side. The anchors of a vertex are grid nodes in the
-// same piece of tissue. To find the particles, a search starts at the anchors and goes over whole
-// grid edges through tissue, within the cube. If the search reaches no particle, it is widened. A
-// vertex at the front of a cut has anchors on both sides, so it follows particles on both sides.
+// A lattice cube has the centres of eight neighbouring cells as its corners. Far from wounds, a
+// vertex follows the particles at the corners of the lattice cube that contains the vertex. Beside
+// a cut, it must follow only the particles on its own side of the cut. The anchors of a vertex are
+// grid nodes in the same piece of tissue as the vertex. To find the particles, a search starts at
+// the anchors. Within the lattice cube, it follows grid edges through tissue that are whole, that
+// is, not severed. If the search reaches no particle, it is widened. A vertex at the front of a cut
+// has anchors on both sides of the cut, so it follows particles on both sides.
 #pragma once
 
 #include <span>
@@ -16,9 +17,9 @@
 
 namespace resect {
 
-// The present position of a vertex with rest position X is a weighted sum over the cells of its
-// binding: the sum of weight * (x_cell + F (X - X_cell)). x_cell, F and X_cell are the cell's
-// present position, deformation gradient and rest position. The weights add up to 1.
+// The present position of a vertex with rest position X is a sum over the cells of its binding: the
+// sum of weight * (x_cell + F (X - X_cell)). x_cell is the present position of a cell, F its
+// deformation gradient, and X_cell its rest position. The weights add up to 1.
 struct VertexBinding {
   static constexpr int kMost = 8;
   std::int32_t count = 0;
@@ -36,13 +37,14 @@ class VertexBinder {
                std::span<const std::uint8_t> particles);
 
   // Binds the vertex at p. anchors: the vertex's anchors, relative to the node `place` of the
-  // window. Particles are searched for in three ways, until one is found:
+  // window. Particles are searched for in three ways, one after the other, until a particle is
+  // found:
   // 1. over whole edges, within the lattice cube that contains p;
   // 2. over whole edges, within the window;
   // 3. without regard to cuts, up to two cells away from p along each axis.
-  // If no particle is found, `count` of the result is 0. The window must be that of a brick.
+  // If no particle is found, `count` of the result is 0. The window must be the window of a brick.
   VertexBinding bind(const Vec3& p, const Vec3i& place, NearbyNodes anchors);
-  // As bind(), but searches only in the first way. The window may be any that contains the cube.
+  // As bind(), but searches only in the first way. Any window that contains the cube may be used.
   VertexBinding bindWithin(const Vec3& p, const Vec3i& place, NearbyNodes anchors);
   // Whether any search so far went beyond the lattice cube of its vertex.
   bool lookedFar() const { return lookedFar_; }
@@ -61,21 +63,21 @@ class VertexBinder {
   // The particle at a node of the window, as its lattice index; -1 if there is none.
   std::int64_t particleAt(const Vec3i& node) const;
   std::int64_t particleOf(const Vec3i& cell) const;
-  // The weight of a particle is a product of three factors, one per axis. This is the factor of one
-  // axis. p, node: coordinates of vertex and particle on that axis.
+  // The weight of a particle is a product of three factors, one per axis. weightAlong() gives the
+  // factor of one axis. p, node: coordinates of vertex and particle on this axis.
   double weightAlong(double p, int node) const;
   static void add(VertexBinding& binding, double weight, std::int64_t cell);
-  // Adds the particle at each corner c (0 to 7) of the cube for which counts(c) is true. The
-  // binding must be empty.
+  // For each corner c (0 to 7) of the cube, adds the particle at this corner if counts(c) is true.
+  // The binding must be empty.
   template <typename Counts>
   void addCorners(VertexBinding& binding, const Cube& cube, const Vec3& p,
                   const Counts& counts) const;
 
   struct Cube {
-    Vec3i low;                           // lowest node, as a node of the window
-    std::array<std::uint8_t, 125> part;  // per node: number of its connected component, or kOutside
+    Vec3i low;                                 // lowest node, as a node of the window
+    std::array<std::uint8_t, 125> part;        // per node: its connected component, or kOutside
     std::array<std::int64_t, 8> particle;      // per corner: its lattice index, or -1
-    std::array<std::uint8_t, 8> partOfCorner;  // per corner: `part` of its node
+    std::array<std::uint8_t, 8> partOfCorner;  // per corner: value of `part` for its node
   };
   // Number for nodes in no component. The numbers of components are lower, since a cube has at most
   // 125 nodes.
@@ -85,7 +87,7 @@ class VertexBinder {
   const Lattice& lattice_;
   int refine_;
   std::span<const std::uint8_t> particles_;
-  IndexBox cubesInWindow_;                  // each cube given by the cell at its lowest corner
+  IndexBox cubesInWindow_;  // the cell at a cube's lowest corner identifies the cube
   std::vector<std::int32_t> numberOfCube_;  // index in cubes_; -1: not made yet
   std::vector<Cube> cubes_;
   bool lookedFar_ = false;

@@ -1,11 +1,12 @@
 // Vertices and triangles of wounds in one brick of the colour field.
 //
 // A brick's vertices are its iso vertices (isosurface/brick_mesher.h), followed by the vertices
-// that cuts add: two for each cut edge, then those of faces, then those of cells. Edges and faces
-// are ordered by axis, then by node; cells are ordered by node. So neighbouring bricks find these
-// vertices by counting bits. Where a lip meets the organ's surface, a vertex has a twin at the same
-// position with the lip's normal and cut share (isosurface/brick_look.h), so that the edge of a
-// wound looks sharp. Cost: 2 us per cut cell, and about 10 us per brick.
+// that cuts add. The added vertices are two vertices for each cut edge, then the vertices of faces,
+// then the vertices of cells. Edges and faces are ordered by axis, then by node. Cells are ordered
+// by node. So neighbouring bricks find the numbers of these vertices by counting bits in masks.
+// Where a lip meets the organ's surface, a vertex has a twin at the same position. The twin has the
+// lip's normal and cut share (isosurface/brick_look.h), so that the rim of the wound looks sharp.
+// Cost: 2 us per cut cell, and about 10 us per brick.
 #pragma once
 
 #include <bit>
@@ -21,7 +22,7 @@ namespace resect {
 // Input of the surface tracker for an organ with incisions.
 struct Wound {
   const SeveredEdges& severed;
-  std::span<const std::uint8_t> particles;  // per lattice cell: 1 where a particle is
+  std::span<const std::uint8_t> particles;  // per lattice cell: 1 if it is a particle
 };
 
 struct BrickWound {
@@ -31,24 +32,24 @@ struct BrickWound {
     float cut;          // cut share, 0 to 1, or kRimShare
     bool twin = false;  // whether this is the twin of the vertex before it
   };
-  // A corner below kFirstCellVertex is a CellVertex of the cell (wound_loops.h). From any other
-  // corner, subtract kFirstCellVertex to get an index into `vertices`.
+  // A value in `corners` below kFirstCellVertex is a CellVertex of the cell (wound_loops.h). Any
+  // other value is kFirstCellVertex plus an index into `vertices`.
   struct Triangle {
-    std::uint8_t cell;  // number in the brick
+    std::uint8_t cell;  // number of the cell in the brick
     bool lip;           // true: part of a lip; false: part of the organ's surface
     std::array<std::int16_t, 3> corners;
   };
 
-  std::uint64_t cells = 0;  // cut cells (isCutCell()); bit n: the cell whose lowest node is node n
-  // One mask per axis. A bit stands for an edge by its lower node, or for a face by its lowest
-  // node.
+  std::uint64_t cells = 0;  // cut cells (isCutCell()); bit n: cell with lowest node n
+  // One mask per axis. Bit n stands for the edge whose lower node, or for the face whose lowest
+  // node, is node n of the brick.
   std::array<std::uint64_t, 3> edges{};      // edges that are cut
   std::array<std::uint64_t, 3> faces{};      // faces that have vertices
   std::array<std::uint64_t, 3> skinFaces{};  // faces whose vertices have twins
-  std::vector<std::int16_t> firstOfFace;     // per face of `faces`, in order: its first vertex
+  std::vector<std::int16_t> firstOfFace;     // per face in `faces`: its first vertex
   std::vector<Vertex> vertices;
   std::vector<Triangle> triangles;
-  // The binding and one anchor of each vertex: first for the brick's iso vertices, then for
+  // The binding and one anchor of each vertex. The brick's iso vertices come first, then
   // `vertices`. An anchor is given as an offset from the brick's first node.
   std::vector<VertexBinding> bindings;
   std::vector<std::array<std::int8_t, 3>> anchors;
@@ -59,9 +60,10 @@ struct BrickWound {
   // Whether the last call of makeBrickWound() changed vertex numbers that neighbouring bricks use.
   bool renumbered = false;
 
-  // Both functions return an index into `vertices`. side: kLower or kUpper. number: which of the
-  // face's vertices, from 0, twins not counted. lip: true for the twin, which has the lip's normal;
-  // without effect if the face's vertices have no twins.
+  // edgeVertex() and faceVertex() return an index into `vertices`. node: the lower node of the
+  // edge, or the lowest node of the face. side: kLower or kUpper. number: number of the vertex
+  // among the face's vertices, from 0; twins are not counted. lip: true for the twin, which has the
+  // lip's normal; has no effect if the face's vertices have no twins.
   int edgeVertex(int axis, int node, int side) const {
     int before = std::popcount(edges[std::size_t(axis)] & ((std::uint64_t(1) << node) - 1));
     for (int a = 0; a < axis; ++a) before += std::popcount(edges[std::size_t(a)]);
@@ -75,8 +77,9 @@ struct BrickWound {
   }
 };
 
-// Computes the wound of a brick. signs: of this brick; its iso vertices get bindings too. out: on
-// entry the brick's previous result (empty if there is none), on return the new one.
+// Computes the wound of a brick. signs: the signs of this brick; the brick's iso vertices get
+// bindings too. out: on entry, the previous result for the brick, or an empty object if there is
+// none; on return, the new result.
 void makeBrickWound(const ColourField& field, const Wound& wound, const Vec3i& brick,
                     const BrickSigns& signs, float iso, BrickWound& out);
 

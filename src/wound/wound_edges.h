@@ -4,11 +4,12 @@
 // A severed edge inside tissue gives two points at the same position, one for each side of the cut.
 // An edge that leaves the tissue gives one point, where it crosses the iso level.
 //
-// An edge may leave the tissue and also be severed inside it. Then the piece of the edge between
-// the cut and the surface has no grid node of its own, and the edge gives three points. The piece
-// goes with the inside node that is nearest to the edge's outside end and can be reached from there
-// over whole edges outside the tissue. Without this piece, lips would have notches of up to one
-// cell. In three cases such an edge gives only the point at the iso level:
+// An edge may leave the tissue and also be severed inside the tissue. Then the edge gives three
+// points. The piece of the edge between the cut and the surface has no grid node of its own. It is
+// assigned to an inside node that can be reached from the edge's outside end over whole edges
+// outside the tissue. If there are several such nodes, the node nearest to that end is chosen.
+// Without this piece, lips would have notches of up to one cell. In three cases such an edge gives
+// only the point at the iso level:
 // - The piece is at most 0.04 of the edge long.
 // - No such inside node is found.
 // - A face beside the edge is ambiguous: its corners are alternately inside and outside.
@@ -25,17 +26,17 @@ enum class EdgeKind : std::uint8_t {
   Split   // three points: two at the cut, one where the surface crosses the edge
 };
 
-// The points of an edge. kLower, kUpper: at the cut, on the side of the edge's lower or upper end.
-// kIsoNode: where the edge crosses the iso level.
+// The points of an edge. kLower: at the cut, on the side of the edge's lower end. kUpper: at the
+// cut, on the side of the edge's upper end. kIsoNode: where the edge crosses the iso level.
 enum EdgeNode : std::uint8_t { kLower = 0, kUpper = 1, kIsoNode = 2 };
 
 struct CutEdge {
   EdgeKind kind = EdgeKind::None;
   bool lowerInside = false;
-  bool open = false;   // severed outside the tissue, or at most 0.04 edges inside its surface
-  float cut = kWhole;  // where it is severed, as a fraction from its lower end; kWhole: nowhere
+  bool open = false;   // severed outside the tissue, or at most 0.04 edges below its surface
+  float cut = kWhole;  // where it is severed, as a fraction from its lower end; or kWhole
   float iso = 0;       // for Iso and Split: where kIsoNode is, as a fraction from its lower end
-  int owner = -1;      // for Iso and Split: the node of the CutGrid that kIsoNode goes with
+  int owner = -1;      // for Iso and Split: the node of the CutGrid to which kIsoNode belongs
 
   bool cutsTissue() const { return kind == EdgeKind::Sheet || kind == EdgeKind::Split; }
 };
@@ -44,7 +45,8 @@ struct CutEdge {
 // of `grid` too.
 CutEdge cutEdge(const CutGrid& grid, int i, int axis);
 
-// Whether the edge from node i along the axis is of kind Sheet or Split. Cheap for a whole edge.
+// Whether the edge from node i along the axis is of kind Sheet or Split. The call is cheap if the
+// edge is whole.
 bool cutsTissue(const CutGrid& grid, int i, int axis);
 
 }  // namespace resect

@@ -3,17 +3,18 @@
 // The lines depend on the face alone, so the two cells beside it have the same lines. This is why
 // the surface is closed.
 //
-// The face's border is followed in the order of its corners. Solid stretches ("runs") alternate
-// with gaps. A gap is a cut edge, which has no width, or a stretch outside the tissue. A line leads
-// from the end of a run back to the start of the same run and so cuts it off. There is one
-// exception. If the organ's surface ("skin") continues through a face that is cut (skinHolds()), a
-// line leads across each gap outside the tissue, from the end of the run before the gap to the
-// start of the run after it. For the other lines these two runs then count as one. The end of each
-// run belongs to one line, and so does its start.
+// The face's border is followed in the order of its corners. Stretches in tissue ("runs") alternate
+// with gaps. A gap is a cut in an edge, which has no width, or a stretch outside the tissue. As a
+// rule, a line leads from the end of a run back to the start of the same run, and so separates the
+// run from the rest of the face. There is one exception: the organ's surface ("skin") may continue
+// through a face that is cut (skinHolds()). Then a line leads across each gap outside the tissue,
+// from the end of the run before the gap to the start of the run after the gap. For the other
+// lines, these two runs then count as one run. The end of each run belongs to exactly one line, and
+// the start of each run too.
 //
 // In three cases lines bend at one point of the face: where three or four cuts meet, where a cut
-// ends in the face, and where a cut meets the skin. Each of these lines has a vertex of its own
-// there.
+// ends in the face, and where a cut meets the skin. Each of these lines has its own vertex at this
+// point.
 #pragma once
 
 #include "wound/wound_edges.h"
@@ -29,12 +30,12 @@ enum class FacePoint : std::uint8_t {
 };
 
 struct FaceLine {
-  // The line leads from the edge point `end` to the edge point `start`. Each is given as 3 * number
-  // of the ring edge (see RingEdge) + EdgeNode. Tissue lies to the left of the line for a viewer at
-  // whom the face's axis points.
+  // The line leads from the edge point `end` to the edge point `start`. The number of an edge point
+  // is 3 * (number of its ring edge, see RingEdge) + EdgeNode. Seen by a viewer towards whom the
+  // face's axis points, tissue lies to the left of the line.
   std::uint8_t end = 0, start = 0;
   bool bent = false;      // whether the line has a vertex at the face's point
-  NearbyNodes anchors{};  // of that vertex (wound/vertex_binding.h), relative to the face's node
+  NearbyNodes anchors{};  // of this vertex (wound/vertex_binding.h), relative to the face's node
 };
 
 struct FaceLines {
@@ -43,7 +44,7 @@ struct FaceLines {
   int count = 0;  // number of entries of `line` in use
   FacePoint kind = FacePoint::None;
   Vec3 point = Vec3::Zero();  // where lines bend, in the coordinates of the CutGrid's nodes
-  int points() const {        // number of vertices at the face's point
+  int points() const {        // number of vertices at `point`
     int n = 0;
     for (int i = 0; i < count; ++i) n += line[std::size_t(i)].bent;
     return n;
@@ -55,9 +56,9 @@ struct FaceLines {
 // vectors along nextAxis() and lastAxis().
 struct RingEdge {
   Vec3i offset;  // from the face's node to the lower node of the edge
-  int axis;      // along which the edge runs
+  int axis;      // axis along which the edge runs
 };
-// axis: that of the face.
+// axis: the face's axis.
 inline RingEdge ringEdge(int axis, int i) {
   const int u = nextAxis(axis), v = lastAxis(axis);
   if (i == 1) return {Vec3i::Unit(u), v};
@@ -66,25 +67,25 @@ inline RingEdge ringEdge(int axis, int i) {
 }
 
 // Whether the organ's surface continues through the face at node i although edges of the face are
-// cut. It ends at the cut in two cases:
+// cut. In two cases the surface does not continue, but ends at the cut:
 // - An edge of the face is severed outside the tissue or just inside its surface (CutEdge::open).
-//   Then the blade crosses the line of the surface in the face.
-// - The nodes that own the two ends of that line (CutEdge::owner) are not joined by whole grid
-//   edges in tissue within a small box: the two cells beside the face, widened by one node on every
-//   side.
+//   Then the blade crosses the line in which the surface meets the face.
+// - The nodes that own the two ends of this line (CutEdge::owner) are not connected by whole grid
+//   edges in tissue within a small box. This box is the two cells beside the face, enlarged by one
+//   node on every side.
 bool skinHolds(const CutGrid& grid, int i, int axis);
 
-// The lines of the face at node i. holds() must return the result of skinHolds(). Tests may let it
-// return either value, since the surface is closed with both. It is called only if the lines depend
-// on its result.
+// The lines of the face at node i. holds() must return the result of skinHolds(). It is called only
+// if the lines depend on its result. In tests, holds() may return either value, since the surface
+// is closed with both values.
 template <typename Holds>
 FaceLines faceLines(const CutGrid& grid, int i, int axis, const Holds& holds);
 FaceLines faceLines(const CutGrid& grid, int i, int axis);
 
 namespace wound {
 
-// The ring is the face's border. A gap in it leads from the edge point `end`, where a run ends, to
-// the edge point `start`, where the next run starts.
+// The face's border is called its ring. A gap in the ring leads from the edge point `end`, where a
+// run ends, to the edge point `start`, where the next run starts.
 struct Gap {
   std::uint8_t end = 0, start = 0;
   bool outside = false;   // true: outside the tissue; false: a cut edge
@@ -93,7 +94,9 @@ struct Gap {
 struct Ring {
   std::array<CutEdge, 4> edge;
   std::array<Gap, FaceLines::kMost> gap;
-  int gaps = 0, cuts = 0, outside = 0;  // all gaps; those at cut edges; those outside the tissue
+  // gaps: number of all gaps. cuts: number of gaps at cut edges. outside: number of gaps outside
+  // the tissue.
+  int gaps = 0, cuts = 0, outside = 0;
 };
 Ring ringOf(const CutGrid& grid, int i, int axis);
 FaceLines linesOf(const CutGrid& grid, int i, int axis, const Ring& ring, bool skinHolds);

@@ -1,8 +1,8 @@
 // The closed loops in which the surface of a cut organ meets the border of a cell of the grid.
 //
-// The lines on the cell's six faces (wound/wound_faces.h) lead from edge point to edge point. Each
-// edge point that is the end of one line is the start of another, so the lines always form closed
-// loops.
+// The lines on the cell's six faces (wound/wound_faces.h) lead from edge point to edge point. An
+// edge point that is the end of one line is always the start of another line, so the lines form
+// closed loops.
 #pragma once
 
 #include <vector>
@@ -27,14 +27,14 @@ constexpr CellVertex faceVertex(int face, int number) {
 // The number of the cell edge that is ring edge `ring` of a face (RingEdge in wound_faces.h).
 int cellEdgeOfRing(int face, int ring);
 
-// The loops of one cell. One object is used for one cell after another, so that it keeps its
-// memory.
+// The loops of one cell. One object is used for one cell after another, so that its memory is
+// reused.
 struct CellLoops {
   // One corner of a loop: an edge point, or a vertex at a face's point.
   struct Vertex {
     CellVertex vertex;
-    bool iso;             // an edge point at the iso level
-    NearbyNodes anchors;  // anchors of the corner and of the line that begins there
+    bool iso;             // whether it is an edge point at the iso level
+    NearbyNodes anchors;  // of the corner and of the line that begins at it
   };
 
   // Finds the loops of the cell with lowest node i. faces: the lines of the cell's faces; a face
@@ -47,11 +47,11 @@ struct CellLoops {
   const CellTriangles* table;  // triangles that the cell would have without cuts
 
   std::vector<Vertex> loop;           // all loops that a cut changed, concatenated
-  std::vector<std::size_t> loopEnds;  // for each loop: where it ends in `loop`
+  std::vector<std::size_t> loopEnds;  // per loop: index in `loop` after its last corner
   // A skin loop is a loop that the cell would have without cuts.
-  std::array<int, 12> skinOf;    // per cell edge: number of its skin loop; -1: no iso point
-  int skins;                     // all numbers in skinOf are below this; some may be unused
-  std::array<bool, 4> touched;   // per skin loop: whether a cut changed it
+  std::array<int, 12> skinOf;   // per cell edge: its skin loop; -1: no iso point
+  int skins;                    // upper bound of the numbers in skinOf, some of which may be unused
+  std::array<bool, 4> touched;  // per skin loop: whether a cut changed it
   std::vector<CellVertex> rest;  // work space for capping
 
   // Position of an edge point, or of a vertex at a face's point, relative to `corner`.
@@ -61,9 +61,9 @@ struct CellLoops {
                : Vec3(faces[std::size_t((v - kFirstFaceVertex) / 8)]->point - corner);
   }
 
-  // Visits the lines that the surface would have on the cell's faces without cuts. Calls
-  // visit(edge, next, crossed) for each line: it leads from cell edge `edge` to cell edge `next`.
-  // crossed: whether a cut crosses the line.
+  // Visits the lines that the surface would have on the cell's faces if there were no cuts. Calls
+  // visit(edge, next, crossed) for each line. The line leads from cell edge `edge` to cell edge
+  // `next`. crossed: whether a cut crosses the line.
   template <typename Visit>
   void visitSkinLines(Visit visit) const {
     for (int face = 0; face < 6; ++face) {
@@ -86,8 +86,8 @@ struct CellLoops {
     }
   }
 
-  // Calls visit(position) for each face of the cell in which a cut meets skin loop l. position:
-  // where they meet, relative to `corner`.
+  // Calls visit(position) for each face of the cell in which a cut meets skin loop l. position: the
+  // point where cut and loop meet, relative to `corner`.
   template <typename Visit>
   void visitSkinPoints(int l, Visit visit) const {
     for (int face = 0; face < 6; ++face) {
@@ -106,7 +106,7 @@ struct CellLoops {
  private:
   struct Link {
     std::int8_t next = -1;
-    std::int8_t face = -1, line = -1;  // if the line is bent: its face, its number among bent lines
+    std::int8_t face = -1, line = -1;  // if bent: its face, its number among bent lines
     NearbyNodes anchors = 0;
   };
   void setNodes(const CutGrid& grid);

@@ -1,7 +1,7 @@
 // An attempt at a task, as a recording shows it: plain data from which all measures are computed.
 //
 // readAttempt() (skills/attempt/read_attempt.h) makes an Attempt by playing the recording. So an
-// old recording can be scored again, also by measures that were added later.
+// old recording can be scored again, even by measures that did not exist when it was made.
 #pragma once
 
 #include <optional>
@@ -19,22 +19,23 @@ namespace resect {
 struct ToolMoment {
   Vec3 tip = Vec3::Zero();  // world, m
   Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
-  double force = 0;  // N, of the tissue on the instrument
+  double force = 0;  // of the tissue on the instrument, N
   double squeeze = 0, pedal = 0;
-  bool inHand = false;  // it is in hand and can touch tissue
-  // It is in hand or away from its rest pose, for example while it hovers over the organ.
+  bool inHand = false;  // the instrument is in hand and can touch tissue
+  // The instrument is in hand, or it is away from its rest pose, for example because it hovers over
+  // the organ.
   bool taken = false;
-  bool works = false;  // it touches or cuts an organ
-  bool grips = false;  // it holds tissue
+  bool works = false;  // the instrument touches or cuts an organ
+  bool grips = false;  // the instrument holds tissue
 };
 
 struct InstrumentRecord {
   std::string name;                 // for people
-  std::string model;                // as tasks name it: "scalpel"
+  std::string model;                // name of its model file, by which tasks name it: "scalpel"
   Vec3 axis = Vec3::UnitZ();        // from tip to handle, unit, in the instrument's frame
   std::vector<ToolMoment> moments;  // one per frame
-  // Time in hand with the tip outside the picture, s; none: there was no picture, or the recording
-  // lacks this time.
+  // Time during which the instrument was in hand and its tip was outside the picture, s. None if
+  // there was no picture, or if the recording lacks this time.
   std::optional<double> unseen = {};
 };
 
@@ -42,16 +43,18 @@ struct InstrumentRecord {
 struct VesselStory {
   std::int32_t organ = 0, segment = -1;
   VesselKind kind = VesselKind::PortalVein;
-  std::string name;                              // for people, such as "right portal vein"
-  double diameter = 0;                           // m
-  Vec3 place = Vec3::Zero();                     // middle of the cut, at rest, m
-  double cut = 0;                                // s: when it was first cut
-  int tool = -1;                                 // number of the tool that cut first; -1: unknown
-  bool before = false;                           // it was cut before the operation began
-  bool clippedRoot = false, clippedFar = false;  // root end, far end: closed before the cut
+  std::string name;           // for people, such as "right portal vein"
+  double diameter = 0;        // m
+  Vec3 place = Vec3::Zero();  // middle of the cut, at rest, m
+  double cut = 0;             // time of the first cut, s
+  int tool = -1;              // number of the tool that made the first cut; -1: unknown
+  bool before = false;        // whether it was cut before the operation began
+  // Whether the root end, and whether the far end, was closed before the cut.
+  bool clippedRoot = false, clippedFar = false;
   bool severed = false;
-  std::optional<double> closed;  // s: since when all its ends have been closed by clips or heat
-  double bled = 0;               // m^3 of blood lost by the vessel
+  // Time since which all its cut ends have been closed by clips or heat, s; none: an end is open.
+  std::optional<double> closed;
+  double bled = 0;  // volume of blood that the vessel has lost, m^3
 };
 
 struct ClipPlaced {
@@ -64,16 +67,17 @@ struct ClipPlaced {
 
 // Amounts of tissue after a frame; recorded once per simulated second, and at the end.
 struct TissueMoment {
-  double time = 0;                           // s
-  double body = 0, pieces = 0, removed = 0;  // m^3, all organs; removed includes debris
-  double cut = 0;                            // area cut or torn, m^2
+  double time = 0;  // s
+  // Volumes, m^3, summed over all organs. `removed` includes debris.
+  double body = 0, pieces = 0, removed = 0;
+  double cut = 0;  // area cut or torn, m^2
 };
 
 // A piece that has come off an organ.
 struct Specimen {
   std::int32_t organ = 0;
   double volume = 0, mass = 0;  // m^3, kg
-  double target = 0;            // m^3: volume of the goal's structure in the piece
+  double target = 0;            // volume of the goal's structure in the piece, m^3
 };
 
 // A frame in which the goal's instrument was at work, with its position relative to the goal's line
@@ -86,12 +90,13 @@ struct WorkMoment {
 
 // How near the instruments were to the goal, frame by frame.
 struct GoalTrace {
-  // Per target and frame: distance of the nearest tip of an instrument in hand that the goal
-  // accepts, m; infinite if no such instrument is in hand.
+  // First index: target; second index: frame. Distance from the target to the nearest tip, m. Only
+  // instruments that are in hand and that the goal accepts count. Infinite if there is no such
+  // instrument.
   std::vector<std::vector<float>> distance;
-  // The targets, points along the line at most 3 mm apart, or the point of the plane; m.
-  // restPlaces: in rest space. places: in the world, after the last frame before an instrument
-  // first works; by then the tissue has settled.
+  // Positions, m, of the targets, or of points along the line at most 3 mm apart, or of the point
+  // of the plane. restPlaces: in rest space. places: in the world, at the end of the last frame
+  // before an instrument begins to work; by then the tissue has come to rest.
   std::vector<Vec3> restPlaces, places;
   double lineLength = 0;  // m
   std::vector<WorkMoment> work;
@@ -102,33 +107,33 @@ struct Attempt {
   std::string file, title, scenario, program;
   std::string learner;         // pseudonym; may be empty
   std::optional<Task> task;    // none: neither recorded nor given
-  bool complete = true;        // the recording is complete, not truncated
-  int undos = 0;               // number of times work was taken back
-  double interval = 1.0 / 60;  // s, of a frame
+  bool complete = true;        // whether the recording is complete, not truncated
+  int undos = 0;               // number of times that work was taken back
+  double interval = 1.0 / 60;  // duration of a frame, s
   std::vector<double> time;    // at the end of each frame, s from the start
   std::vector<InstrumentRecord> instruments;
 
-  bool bleeds = false;               // an organ has vessels
+  bool bleeds = false;               // whether an organ has vessels
   std::vector<double> bled;          // per frame: blood lost so far, m^3
   std::vector<VesselStory> vessels;  // in the order in which they were cut
   std::vector<ClipPlaced> clips;
-  double inflowOccluded = 0;  // time with occluded inflow, s
+  double inflowOccluded = 0;  // time during which the inflow was occluded, s
   int inflowCycles = 0;       // number of times the inflow was occluded
 
   bool tissueMoves = false;
   std::vector<TissueMoment> tissue;
   std::vector<Specimen> specimens;  // the largest first
   // otherStructures: whether there are structures or organs besides the goal's own. hurt: names of
-  // those structures that a cut or a removal of tissue reached, and of those organs that were cut
-  // or lost tissue.
+  // the other structures that a cut or a removal of tissue reached, and names of the other organs
+  // that were cut or lost tissue.
   bool otherStructures = false;
   std::vector<std::string> hurt;
   std::int64_t torn = 0;         // number of torn bonds
-  double targetBefore = 0;       // m^3 of the goal's structure before the operation
+  double targetBefore = 0;       // volume of the goal's structure before, m^3
   std::optional<double> margin;  // margin of the goal's structure, m; none if nothing was cut
   // margins: points of cut or bared faces that are nearer to the goal's structure than 2.5 times
   // TaskGoal::margin. targetMiddle: mean of the structure's cell centres. targetReach: largest
-  // distance of a cell centre from targetMiddle. All at rest, m.
+  // distance of a cell centre from targetMiddle. Positions and distances are in rest space, m.
   std::vector<MarginPlace> margins;
   Vec3 targetMiddle = Vec3::Zero();
   double targetReach = 0;
@@ -137,13 +142,14 @@ struct Attempt {
   double duration() const { return time.empty() ? 0 : time.back(); }
 };
 
-// The tracks of an instrument, one for each period in which it was taken. They include hovering.
+// The tracks of an instrument: one for each period in which it was taken (ToolMoment::taken). A
+// track includes hovering.
 std::vector<Track> tracksOf(const Attempt& attempt, const InstrumentRecord& instrument);
-// The first and the last frame in which any instrument was at work; nothing if none was.
+// The first and the last frame in which any instrument was at work; none if no instrument was.
 std::optional<SampleRange> workOf(const Attempt& attempt);
-// Rate of bleeding at the end of a frame, mean over the second before it, m^3/s.
+// Mean rate of bleeding in the last second before the end of a frame, m^3/s.
 double bleedingRate(const Attempt& attempt, std::size_t frame);
-// The frame at whose end bleedingRate() was largest; nothing if nothing bled.
+// The frame at the end of which bleedingRate() was largest; none if nothing bled.
 std::optional<std::size_t> worstBleeding(const Attempt& attempt);
 
 }  // namespace resect

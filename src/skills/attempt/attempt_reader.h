@@ -15,12 +15,12 @@ namespace resect {
 
 class AttemptReader {
  public:
-  // simulation: before the operation. attempt: its task must be set, if it has one; it must outlive
-  // this object. Throws Error if the organ lacks what the task names.
+  // simulation: its state before the operation. attempt: must outlive this object; if there is a
+  // task, attempt.task must be set already. Throws Error if the organ lacks what the task names.
   AttemptReader(Attempt& attempt, const Scenario& scenario, const Simulation& simulation);
 
-  // To be called after each step. Cost: a few microseconds, and once per simulated second the cost
-  // of a ledger.
+  // To be called after each step. Cost: a few microseconds. Once per simulated second, the cost of
+  // a ledger is added.
   void add(const Simulation& simulation, const StepReport& report);
   // Updates the amounts of tissue, which add() updates only once per simulated second, and the
   // amounts that each vessel has bled.
@@ -28,8 +28,8 @@ class AttemptReader {
   // Finds the places where the cuts came near the goal's structure (Attempt::margins). Cost: up to
   // a second.
   void measureMargins(const Simulation& simulation);
-  // To be called when work is taken back: forgets all but the first `frames` frames. The number of
-  // torn bonds and the time of occluded inflow still include the work taken back.
+  // To be called when work is taken back: forgets all but the first `frames` frames. But the number
+  // of torn bonds and the time of occluded inflow still include the work that was taken back.
   void rewind(std::size_t frames);
 
   // Null without a task.

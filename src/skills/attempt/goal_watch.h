@@ -12,15 +12,17 @@ namespace resect {
 
 class GoalWatch {
  public:
-  // simulation: before the operation. Throws Error if the organ lacks what the goal names.
+  // simulation: its state before the operation. Throws Error if the organ lacks what the goal
+  // names.
   GoalWatch(const TaskGoal& goal, const Scenario& scenario, const Simulation& simulation);
   // To be called after each step, when the frame's ToolMoments are in the attempt.
   void add(const Simulation& simulation, Attempt& attempt);
   // Forgets all but the first `frames` frames.
   void rewind(std::size_t frames, Attempt& attempt) const;
 
-  // Positions in the world after the last frame: of the targets, or of the point through which the
-  // task's plane is laid, or of points along the task's line. Empty before the first frame.
+  // Positions in the world after the last frame. They are the positions of the targets, or of the
+  // point through which the task's plane is laid, or of points along the task's line. Empty before
+  // the first frame.
   const std::vector<TissuePoint>& present() const { return present_; }
 
  private:
@@ -30,10 +32,11 @@ class GoalWatch {
 
   const TaskGoal goal_;
   std::size_t organ_ = 0;
-  std::vector<TissuePoint> points_;   // targets, plane, or line every few mm; at rest
-  std::vector<TissuePoint> present_;  // the same, in the world
-  std::vector<double> along_;         // per point of a line: m from its beginning, at rest
-  bool begun_ = false;                // whether an instrument has worked
+  // At rest: the targets, the point of the plane, or points along the line every few mm.
+  std::vector<TissuePoint> points_;
+  std::vector<TissuePoint> present_;  // these points in the world, now
+  std::vector<double> along_;  // per point: distance along the line from its beginning, at rest, m
+  bool begun_ = false;         // whether an instrument has worked
 };
 
 // Index of the organ that a goal is about.

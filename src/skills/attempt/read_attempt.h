@@ -13,15 +13,15 @@
 namespace resect {
 
 struct AttemptOptions {
-  std::optional<Task> task;  // task to score by, instead of the recording's own
+  std::optional<Task> task;  // task that replaces the task of the recording
   std::string learner;       // pseudonym
-  // Called at the start and after each frame; it may draw a picture. time: s.
+  // Called at the start and after each frame, for example to draw a picture. time: s.
   std::function<void(const Scenario&, Simulation&, double time)> watch;
 };
 
 // Plays the course that leads to the moment of the recording (RecordingFile::moment()). Throws
 // Error if the file is no recording or is damaged, if it holds no frames, or if its organs lack
-// what the task names. Cost: as long as the recorded run took to compute.
+// what the task names. Takes as long as the computation of the recorded operation took.
 Attempt readAttempt(const std::filesystem::path& path, const AttemptOptions& options = {},
                     const Progress& progress = {});
 

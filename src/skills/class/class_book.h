@@ -16,7 +16,7 @@ struct ClassAttempt {
   bool passed = false, graded = true, goalReached = false;
   double score = 0;
   std::string reason;
-  std::vector<Measured> measures;  // of the whole attempt
+  std::vector<Measured> measures;  // measures of the whole attempt
   std::vector<Check> checks;
   int undos = 0;
   TaskLevel level = TaskLevel::Medium;
@@ -36,12 +36,12 @@ struct TaskCourse {
 struct ClassBook {
   std::string name;
   std::vector<TaskCourse> tasks;
-  std::vector<std::string> refused;  // error messages: recordings that could not be scored
+  std::vector<std::string> refused;  // one error message per recording that could not be scored
 };
 
-// A recording in the folder of a class, and its learner. The learner's name is the name of the
-// sub-folder. For a file in the folder itself, it is the file's name without the number at its end
-// ("anna" for "anna-2.resect").
+// A recording in the folder of a class, and its learner. For a file in a sub-folder, the learner's
+// name is the name of the sub-folder. For a file in the folder itself, the learner's name is the
+// file's name without the number at its end ("anna" for "anna-2.resect").
 struct ClassFile {
   std::filesystem::path path;
   std::string learner;  // for output: `name`, or a pseudonym
@@ -54,9 +54,10 @@ std::vector<ClassFile> classFiles(const std::filesystem::path& folder);
 // Replaces the learners' names by "learner 1" and so on, in the order of the names.
 void usePseudonyms(std::vector<ClassFile>& files);
 
-// How hard a check is: in how many of the graded attempts at a task it was kept. If an attempt
-// missed its goal, a kept check of a measure that adds up (addsUp() in findings.h), such as time,
-// is not counted at all.
+// How hard a check is. attempts: number of graded attempts at the task in which the check was made.
+// kept: number of these in which it was kept. Some measures add up during the work, such as time
+// (addsUp() in findings.h). If an attempt missed its goal, a kept check of such a measure is left
+// out of both numbers.
 struct CheckDifficulty {
   std::string measure;  // "": the goal
   int kept = 0, attempts = 0;

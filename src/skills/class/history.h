@@ -1,7 +1,7 @@
 // The history of learners: their scored attempts, in a SQLite file on this machine.
 //
-// The scores of a class are kept in such a file too, so that each recording is played and scored
-// only once.
+// Such a file also keeps the scores of a class, so that each recording is played and scored only
+// once.
 #pragma once
 
 #include <cstdint>
@@ -21,15 +21,15 @@ inline constexpr int kScoringVersion = 3;
 
 struct HistoryEntry {
   std::string key;      // scoreKey()
-  std::string learner;  // name as it was given
+  std::string learner;  // the learner's name as it was given
   std::string scenario, title;
   std::int64_t written = 0;     // when the recording was last written, s since 1970
   bool familiarisation = true;  // Task::familiarisation: the first attempt is not graded
   ClassAttempt attempt;
 };
 
-// A digest of everything on which a score depends: the bytes of the recording, the task if it is
-// not the recording's own, the level, and kScoringVersion.
+// A digest of everything on which a score depends: the bytes of the recording, `task` if it
+// replaces the task of the recording, the level, and kScoringVersion.
 std::string scoreKey(const std::filesystem::path& recording, const std::optional<Task>& task,
                      const std::optional<TaskLevel>& level);
 // When the file was last written, s since 1970.
@@ -41,13 +41,14 @@ class LearnerHistory {
   // Opens or creates the file. Throws Error if it is not a history or cannot be written.
   explicit LearnerHistory(const std::filesystem::path& path);
 
-  // Replaces the entry with the same key and learner.
+  // Adds the entry. It replaces an entry with the same key and the same learner.
   void keep(const HistoryEntry& entry);
   std::optional<HistoryEntry> find(const std::string& key, const std::string& learner);
-  // The entries of one learner, or of all if `learner` is empty; sorted by learner, scenario and
-  // HistoryEntry::written.
+  // The entries of one learner; if `learner` is empty, the entries of all learners. Sorted by
+  // learner, scenario and HistoryEntry::written.
   std::vector<HistoryEntry> entries(const std::string& learner = "");
-  // Deletes all entries of a learner, without traces in the file, and returns their number.
+  // Deletes all entries of a learner, without traces in the file. Returns the number of these
+  // entries.
   std::int64_t remove(const std::string& learner);
 
  private:

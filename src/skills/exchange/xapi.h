@@ -10,19 +10,20 @@
 namespace resect {
 
 struct XapiContext {
-  // The actor's account. The name is a pseudonym; the home page says whose pseudonyms they are.
+  // The account of the learner ("actor"). actor: the account's name, a pseudonym. home: the
+  // account's home page; it identifies the system to which the account belongs.
   std::string actor = "learner";
   std::string home = "https://resect.invalid/learners";
   // The IRI of a task is `activities` followed by the scenario's name.
   std::string activities = "https://resect.invalid/tasks/";
-  std::chrono::system_clock::time_point time;  // of the attempt's end
+  std::chrono::system_clock::time_point time;  // end of the attempt
   // A text that is unique to this attempt, such as the digest of its recording.
   std::string identity;
 };
 
 // The statements "attempted"; "completed" if the goal was reached; and "passed" or "failed" if the
 // attempt is graded. The ids of the statements depend only on identity, actor and verb, so a store
-// that gets the same attempt twice keeps it once.
+// that receives the same attempt twice keeps it only once.
 nlohmann::ordered_json xapiStatements(const Scored& scored, const XapiContext& context);
 
 // A duration in ISO 8601: "PT12.35S".

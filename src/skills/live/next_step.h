@@ -10,7 +10,8 @@ namespace resect {
 // One sentence that says what to do next. goal: goalResult(attempt).
 std::string nextStep(const Attempt& attempt, const GoalResult& goal);
 
-// Number, from 0, of the target to be touched next; if all are done, the number of targets.
+// Number, from 0, of the target to be touched next. If all targets have been touched, the number of
+// targets.
 std::size_t nextTarget(const GoalResult& goal);
 
 }  // namespace resect

@@ -12,15 +12,16 @@ namespace resect {
 std::vector<double> cusum(std::span<const double> values, double target);
 
 // LC-CUSUM, a test whether a trainee has become competent (Biau, Williams, Schlup, Nizard and
-// Porcher 2008, Br J Surg 95:925): S_i = max(0, S_(i-1) + W_i), where W_i is ln((1 - adequate) / (1
-// - inadequate)) after a success and ln(adequate / inadequate) after a failure.
+// Porcher 2008, Br J Surg 95:925). Its curve is S_i = max(0, S_(i-1) + W_i). After a success W_i is
+// ln((1 - adequate) / (1 - inadequate)), after a failure W_i is ln(adequate / inadequate).
 struct LearningTest {
   double inadequate = 0.3;  // failure rate of a learner who is not competent; a setting
   double adequate = 0.1;    // failure rate of a competent learner, < `inadequate`; a setting
-  double signal = 1.25;     // S at which competence is shown; a setting
+  double signal = 1.25;     // value of S from which on competence is shown; a setting
 };
 std::vector<double> learningCusum(const std::vector<bool>& passed, const LearningTest& test = {});
-// The first attempt, from 0, at which the curve reaches the signal.
+// Number, from 0, of the first attempt at which the curve reaches test.signal; none if it never
+// does.
 std::optional<std::size_t> competentAt(std::span<const double> curve,
                                        const LearningTest& test = {});
 

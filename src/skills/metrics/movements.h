@@ -1,5 +1,5 @@
-// Movements: ranges of a track in which the instrument moves. By PerkTutor's rule (its
-// PythonMetrics), a change between rest and motion counts only if it lasts.
+// Movements: ranges of a track in which the instrument moves. The rule is that of PerkTutor
+// (PythonMetrics): a change between rest and motion counts only if the new state lasts long enough.
 #pragma once
 
 #include <optional>
@@ -12,17 +12,20 @@ namespace resect {
 
 struct MovementRule {
   double threshold = 0.05;  // m/s, or rad/s for rotations
-  double leastTime = 0.2;   // s: a shorter change of state is ignored
+  double leastTime = 0.2;   // s: a state that lasts no longer is ignored
 };
-// For rotations. PerkTutor publishes no threshold of angular speed, so this is a setting of ours.
+// Threshold for rotations. PerkTutor publishes no threshold of angular speed, so this is a setting
+// of ours.
 inline constexpr double kRotationThreshold = 0.5;  // rad/s
 
-// Ranges of samples in which the speed was above the threshold, after changes of state that lasted
-// no longer than leastTime were ignored. The state before the first sample is rest.
+// The movements, as ranges of samples. The instrument moves while `speed` is above the threshold.
+// But if it moves or rests for no longer than leastTime, this change of state is ignored. The state
+// before the first sample is rest. interval: s between samples.
 std::vector<SampleRange> movements(std::span<const double> speed, double interval,
                                    const MovementRule& rule = {});
 
-// Sums over movements, m: of the path length, and of the distance between start and end.
+// Sums over several movements, m. length: sum of their path lengths. distance: sum of the distances
+// between their start and end positions.
 struct Ways {
   double length = 0, distance = 0;
 };

@@ -11,15 +11,15 @@ inline constexpr double kIdleSpeed = 0.005;  // m/s: a slower tip counts as idle
 
 // Sum of the distances between successive samples, m.
 double pathLength(std::span<const Vec3> tip);
-// Sum of the distances that the tip moves along the instrument's axis, in either direction, from
-// sample to sample, m. Needs Track::turn.
+// Distance that the tip moves along the instrument's axis, m. Motion in either direction counts as
+// positive; the distances from sample to sample are added. Needs Track::turn.
 double depthMovement(const Track& track);
 // Sum of the angles by which the instrument turned from sample to sample, rad. Needs Track::turn.
 double totalRotation(const Track& track);
-// Speed at each sample by central differences, one-sided at the ends, m/s. All zero for a single
-// sample.
+// Speed at each sample, m/s, by central differences, and by one-sided differences at both ends. If
+// there is only one sample, its speed is 0.
 std::vector<double> speeds(const Track& track);
-// The same for the angular speed, rad/s. Needs Track::turn.
+// Angular speed at each sample, rad/s, computed as speeds() computes the speed. Needs Track::turn.
 std::vector<double> angularSpeeds(const Track& track);
 // Total time, s, during which the speed was below `slow`, m/s.
 double idleTime(const Track& track, double slow = kIdleSpeed);

@@ -7,13 +7,13 @@
 
 namespace resect {
 
-// Magnitudes of the discrete Fourier transform of the values, padded with zeros to `size`, a power
-// of two: from frequency 0 to the highest one, size / 2 + 1 numbers. Computed by kissfft, which
-// Eigen contains.
+// Magnitudes of the discrete Fourier transform of the values, from frequency 0 to the highest
+// frequency: size / 2 + 1 numbers. Before the transform, the values are padded with zeros to `size`
+// values. size: a power of two. Computed by kissfft, which Eigen contains.
 std::vector<double> magnitudes(std::span<const double> values, std::size_t size);
 
 // Frequency, Hz, below which 95 % of the power of the speed lies, after the mean speed has been
-// subtracted. Nothing if the speed does not vary. interval: s between values.
+// subtracted. No result if the speed does not vary. interval: s between values.
 std::optional<double> frequency95(std::span<const double> speed, double interval);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// The track of an instrument: where it was at equal intervals of time, during one stretch in which
+// The track of an instrument: its positions at equal intervals of time, during one period in which
 // it was in hand.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace resect {
 struct Track {
   double interval = 1.0 / 60;            // s between samples, > 0
   std::vector<Vec3> tip;                 // world, m
-  std::vector<Eigen::Quaterniond> turn;  // of the instrument's frame, unit; empty: not known
+  std::vector<Eigen::Quaterniond> turn;  // rotations of the instrument, unit; empty: not known
   Vec3 axis = Vec3::UnitZ();             // unit, from tip to handle, in the instrument's frame
 
   double duration() const { return tip.empty() ? 0 : interval * double(tip.size() - 1); }

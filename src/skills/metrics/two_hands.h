@@ -7,8 +7,8 @@
 
 namespace resect {
 
-// Pearson's correlation, -1 to 1. Nothing if there are fewer than 2 pairs of values, or if `a` or
-// `b` does not vary. Both must have the same number of values.
+// Pearson's correlation, -1 to 1. No result if there are fewer than 2 pairs of values, or if `a` or
+// `b` does not vary. `a` and `b` must have the same number of values.
 std::optional<double> correlation(std::span<const double> a, std::span<const double> b);
 
 }  // namespace resect

@@ -15,15 +15,17 @@
 namespace resect {
 
 struct Debrief {
-  std::span<const Scored> attempts;    // of one learner, oldest first; the last is debriefed
+  // Attempts of one learner, the oldest first. The debrief is about the last of them.
+  std::span<const Scored> attempts;
   std::span<const Scored> references;  // attempts to compare with
-  // Attempts at the same task from a history of scores. earlier: the learner's own attempts before
-  // `attempts`, the oldest first. others: the attempts of all other learners.
+  // Attempts at the same task, from a history of scores. earlier: attempts that this learner made
+  // before those in `attempts`, the oldest first. others: attempts of all other learners.
   std::vector<ClassAttempt> earlier = {}, others = {};
   std::vector<PublishedStudy> studies = {};
-  // Per deduction of the last attempt: a PNG file's bytes, or empty.
+  // Per deduction of the last attempt: the bytes of a PNG file, or an empty string.
   std::vector<std::string> pictures = {};
-  std::string clip = {};  // bytes of an MP4 file about the first deduction with a time, or empty
+  // Bytes of an MP4 file about the first deduction that has a time; may be empty.
+  std::string clip = {};
 };
 
 // Throws Error if a template is missing.

@@ -9,16 +9,17 @@
 
 namespace resect {
 
-// The text as one printable line (base/text/shown_text.h), with & < > " ' as entities, so that it
-// is safe anywhere in a page, in attributes too.
+// The text as one printable line (base/text/shown_text.h), with the characters & < > " ' as
+// entities. The result is safe anywhere in a page, also in attributes.
 std::string htmlText(std::string_view text);
 
-// Replaces the placeholders {{name}} of a template in data/report by the values, which must be
-// HTML. Throws Error if a placeholder has no value.
+// Replaces the placeholders {{name}} of a template in data/report by values. places: name and value
+// of each placeholder; values must be HTML. Throws Error if a placeholder has no value.
 using HtmlPlaces = std::vector<std::pair<std::string_view, std::string>>;
 std::string filled(const std::string& templateFile, const HtmlPlaces& places);
 
-// A whole page: data/report/page.html with data/report/style.css. title, footer: plain text.
+// A whole page, made from data/report/page.html and data/report/style.css. title, footer: plain
+// text. body: HTML.
 std::string htmlPage(std::string_view title, const std::string& body, std::string_view footer);
 
 struct HtmlCell {

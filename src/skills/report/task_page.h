@@ -8,8 +8,9 @@
 
 namespace resect {
 
-// scenario: with a task. If there is a picture beside the scenario's file (.png instead of .toml),
-// the page shows it. Throws Error if a template or a published study is missing.
+// scenario: must have a task. If the folder of the scenario's file has a picture with the same name
+// (.png instead of .toml), the page shows this picture. Throws Error if a template or a published
+// study is missing.
 std::string taskPage(const Scenario& scenario);
 
 }  // namespace resect

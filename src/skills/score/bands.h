@@ -1,6 +1,6 @@
 // Published bands: the results of experts and novices in a study. Each study is a data file that
-// names its source (data/bands/*.toml). No band is invented; a measure without a published band is
-// shown without one.
+// names its source (data/bands/*.toml). No band is invented: if a measure has no published band, it
+// is shown without a band.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ struct PublishedBand {
 };
 
 struct PublishedStudy {
-  std::string name;    // of the file, without .toml
+  std::string name;    // name of the file, without .toml
   std::string study;   // "Lefor 2022"
   std::string source;  // DOI or address
   std::string about;   // the task of the study, and how far it can be compared
@@ -35,9 +35,10 @@ struct PublishedStudy {
 // the files that exist), or if a value in the file is wrong.
 PublishedStudy readPublishedStudy(const std::string& name);
 
-// A task's own bands from runs that a teacher marked as reference: mean and sample standard
-// deviation of time, path length, movements, force and blood. A measure that a run lacks, or that
-// is the same in all runs, gets no band. With fewer than kLeastBandRuns runs there are no bands.
+// bandsOf() computes a task's own bands from runs that a teacher marked as reference. A band is the
+// mean and the sample standard deviation. The measures are time, path length, movements, force and
+// blood. If a run lacks a measure, or if all runs have the same value of it, the measure gets no
+// band. With fewer than kLeastBandRuns runs there are no bands.
 inline constexpr std::size_t kLeastBandRuns = 3;
 std::vector<TaskBand> bandsOf(std::span<const std::vector<Measured>> runs);
 

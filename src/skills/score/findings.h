@@ -1,6 +1,6 @@
-// The statements of a debrief about an attempt. Each fault gets one fact that the recording shows,
-// with its time, one open question, and advice for the next attempt. Other statements say what was
-// good.
+// The statements of a debrief about an attempt. A statement about a fault consists of a fact that
+// the recording shows, the time of this fact, an open question, and advice for the next attempt.
+// Other statements say what was good.
 #pragma once
 
 #include <vector>
@@ -14,26 +14,26 @@ namespace resect {
 std::vector<Deduction> findings(const Attempt& attempt, const GoalResult& goal,
                                 const std::vector<Check>& checks);
 
-// Whether the check says that the time for the goal ran out. This is reported with the goal and not
-// as a fault of its own.
+// Whether the check says that the time for the goal ran out. Such a check is reported with the
+// goal, and not as a fault of its own.
 bool ranOut(const Check& check, const GoalResult& goal);
 
 // Whether a measure adds up during the work, such as time, path length and blood loss. A low value
 // of such a measure is good only if the goal was reached.
 bool addsUp(std::string_view measure);
 
-// Sentences about what was good: the goal, if it was reached, and the checks that were kept. If the
-// goal was not reached, measures that add up (addsUp()) are left out, and an attempt without any
-// work gets no praise.
+// Sentences about what was good: the goal, if it was reached; the checks that were kept; and that
+// no work was taken back, if the task allows no undo. If the goal was not reached, measures that
+// add up (addsUp()) are left out. If, in addition, no instrument was at work, there is no praise.
 std::vector<std::string> praise(const Attempt& attempt, const GoalResult& goal,
                                 const std::vector<Check>& checks);
 
 // A measure for people, with few digits: "path length 1.25 m".
 std::string measureText(std::string_view measure, double value);
-// The value of a check as text without its unit. It has enough digits to differ from the limit that
-// it breaks. "never" if the check has no value.
+// The value of a check as text, without the unit. If the value breaks a limit, the text has enough
+// digits to differ from the text of that limit. "never" if the check has no value.
 std::string valueText(const Check& check);
-// The number alone, as in measureText().
+// The number as measureText() writes it, without name and unit.
 std::string numberText(double value);
 // The limits of a check as text: "at most 3 N", "at least 10 mm" or "30 to 40 ml".
 std::string limitText(const Check& check);

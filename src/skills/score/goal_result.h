@@ -11,12 +11,14 @@ namespace resect {
 
 struct GoalResult {
   bool reached = false;
-  double done = 0;                 // share of the goal that was done, 0 to 1; 1 if it is reached
+  double done = 0;                 // share of the goal that was done, 0 to 1; 1 if `reached`
   std::string sentence;            // what was reached or missed, for people
-  std::optional<double> time;      // s: when the goal was reached or was missed
-  std::vector<Measured> measures;  // measures that only this goal has
-  std::string missing;             // as text: parts of the line that were not followed
-  std::vector<std::pair<double, double>> unfollowed;  // their begins and ends, m along it
+  std::optional<double> time;      // when the goal was reached or was missed, s
+  std::vector<Measured> measures;  // measures that only goals of this kind have
+  // The parts of the line that were not followed. missing: as text. unfollowed: beginning and end
+  // of each part, as distances along the line from its beginning, m.
+  std::string missing;
+  std::vector<std::pair<double, double>> unfollowed;
 };
 
 // A line counts as followed if at least this share of its length was followed.

@@ -7,8 +7,8 @@
 
 namespace resect {
 
-// Mean and largest distance of the instrument, while it works, from the goal's line or plane, m,
-// and the time of the largest distance, s.
+// Distance of the instrument from the goal's line or plane while the instrument works. mean, most:
+// mean and largest distance, m. time: time of the largest distance, s.
 struct OffLine {
   double mean = 0, most = 0, time = 0;
 };
@@ -17,8 +17,8 @@ OffLine offLine(const Attempt& attempt);
 // How well the line was followed. goal: the goal of attempt.task.
 GoalResult followResult(const Attempt& attempt, const TaskGoal& goal);
 
-// How near the line is to be followed, as text: "no farther than 8 mm from it", or two distances if
-// 90 % of the line (kLineFollowed) has a stricter limit than the rest.
+// How near the line is to be followed, as text, such as "no farther than 8 mm from it". The text
+// names two distances if 90 % of the line (kLineFollowed) has a stricter limit than the rest.
 std::string nearText(const Task& task);
 
 }  // namespace resect

@@ -14,7 +14,7 @@ namespace resect {
 
 struct Measured {
   std::string measure;     // MeasureKind::id
-  std::string instrument;  // its name; "": of the whole attempt
+  std::string instrument;  // name of the instrument; "": the whole attempt
   double value = 0;        // in the measure's unit
 };
 
@@ -22,14 +22,14 @@ struct Measured {
 inline constexpr double kNotableVessel = 0.002;  // m
 
 // A vessel that was cut before the operation began counts as open only if it has lost more blood
-// than this: a nick in a vein that does not bleed need not be closed. A setting of ours.
+// than this, since a nick that does not bleed need not be closed. A setting of ours.
 inline constexpr double kBleeds = 1e-7;  // m^3
 
 // Measures that cannot be computed are left out, for example forces if no tissue moves. The goal's
 // own measures come from goalResult() (skills/score/goal_result.h) instead.
 std::vector<Measured> measuresOf(const Attempt& attempt);
 
-// The value of a measure among `all`; nothing if it is not there.
+// The value of a measure in `all`; none if `all` does not contain the measure.
 std::optional<double> valueOf(std::span<const Measured> all, std::string_view measure,
                               std::string_view instrument = "");
 

@@ -14,7 +14,7 @@ namespace resect {
 // A measure that was compared with a limit or band of the task.
 struct Check {
   std::string measure;
-  // None if the measured event never happened, such as the closing of a vessel.
+  // None if the event that is measured, such as the closing of a vessel, never happened.
   std::optional<double> value;
   std::optional<double> least, most;
   bool kept = true;
@@ -25,7 +25,7 @@ struct Check {
 // A fault of an attempt: a fact that the recording shows, an open question, and advice for the next
 // attempt.
 struct Deduction {
-  std::string measure;         // measure concerned; "": the goal or a rule
+  std::string measure;         // measure that the fault concerns; "": the goal or a rule
   std::optional<double> time;  // time of the fact in the recording, s
   std::string fact, question, next;
 };
@@ -34,8 +34,8 @@ struct Verdict {
   bool passed = false;
   bool graded = true;
   std::string reason;  // one sentence
-  // 0 to 1: half of the share of the goal that was done, plus half of the share of the checks that
-  // were kept. The second term is 0 unless the goal was reached and no rule was broken.
+  // A number from 0 to 1: half of the share of the goal that was done, plus half of the share of
+  // checks that were kept. The second half is 0 unless the goal was reached and no rule was broken.
   double score = 0;
   GoalResult goal;
   std::vector<Check> checks;
@@ -45,12 +45,12 @@ struct Verdict {
 
 struct Scored {
   Attempt attempt;
-  std::vector<Measured> measures;  // those of the goal included
+  std::vector<Measured> measures;  // including the goal's own measures
   TaskLevel level = TaskLevel::Medium;
   Verdict verdict;
 };
 
-// Scores the attempt; attempt.task must be given. level: if empty, the task's own level counts.
+// Scores the attempt; attempt.task must be given. level: if empty, the task's own level is used.
 // graded: false for a familiarisation run.
 Scored score(Attempt attempt, std::optional<TaskLevel> level = {}, bool graded = true);
 

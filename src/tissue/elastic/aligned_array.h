@@ -2,9 +2,9 @@
 // within a page, to avoid cache conflicts.
 //
 // The passes over tissue use some fifty arrays. Large blocks from the system all begin at the same
-// offset in a page. If the arrays began there too, the entries of one cell would map to the same
-// few sets of the first-level cache. They would evict each other, and memory would limit the speed
-// of substeps (docs/methods/tissue.md).
+// offset in a page. If all arrays began at this offset, the entries of one cell would map to the
+// same few sets of the first-level cache. These entries would evict each other, and access to
+// memory would limit the speed of substeps (docs/methods/tissue.md).
 #pragma once
 
 #include <atomic>
@@ -34,8 +34,8 @@ struct LineAllocator {
   template <typename U>
   LineAllocator(const LineAllocator<U>&) {}
 
-  // The cache line before a large array holds one number: the array's offset from the start of its
-  // memory block, bytes.
+  // The cache line before a large array holds one number: the offset of the array from the start of
+  // the allocated memory block, bytes.
   T* allocate(std::size_t n) {
     if (!large(n)) return static_cast<T*>(::operator new(n * sizeof(T), kAlignment));
     const std::size_t shift = nextShift() + kCacheLine;

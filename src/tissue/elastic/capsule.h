@@ -1,9 +1,10 @@
 // The organ's capsule: a thin membrane on its skin, much stiffer than the tissue under it.
 //
-// The cells that carry the skin have the membrane's energy in addition to their own. The membrane's
-// energy depends on the principal stretches lambda_1 and lambda_2 of the skin in its plane, which
-// follow from the cell's deformation gradient. With d_i = lambda_i - 1, d_1 >= d_2, a membrane of
-// modulus E, thickness t and Poisson's ratio 0.5 has the tensions (force per width at rest)
+// The cells that carry the skin have the membrane's energy in addition to their own. This energy
+// depends on the principal stretches lambda_1 and lambda_2 in the plane of the skin. These
+// stretches follow from the cell's deformation gradient. Let d_i = lambda_i - 1 and d_1 >= d_2. A
+// membrane with Young's modulus E, thickness t and Poisson's ratio 0.5 has the tensions (force per
+// width at rest)
 //
 //     T_1 = max(0, E t d_1, E t (d_1 + d_2 / 2) 4/3)      T_2 = max(0, E t (d_2 + d_1 / 2) 4/3)
 //
@@ -20,13 +21,14 @@
 
 namespace resect {
 
-// Sets the normal and the area of each cell's skin from its patches. The patches are summed as
-// tensors, area * n n^T with the normal n, so that both faces of a thin margin count although their
-// normals are opposite. patches: ascending by cell. Cells that have all 26 bonds get no skin. Does
-// nothing if no material has a capsule.
+// Sets the normal and the area of each cell's skin from the cell's patches. Each patch contributes
+// the tensor area * n n^T, where n is its normal. So where tissue is thin, both of its faces count,
+// although their normals are opposite. patches: ascending by cell. A cell that has all 26 bonds
+// gets no skin. Does nothing if no material has a capsule.
 void setSkin(ElasticState& state, std::span<const SurfacePatch> patches);
 
-// Updates ElasticState::capsule of the cells from their materials, bonds and tears.
+// Updates ElasticState::capsule of the cells from their material, their bonds, and
+// ElasticState::capsuleTorn.
 void remakeCapsule(ElasticState& state, std::span<const std::int32_t> cells);
 
 // Tension, energy and stress of the capsule of a cell with the deformation gradient f.
@@ -37,7 +39,8 @@ struct CapsuleResponse {
 };
 CapsuleResponse capsuleResponse(const ElasticState& state, std::int32_t cell, const Mat3& f);
 
-// Tears the capsule of the cells where its tension exceeds its strength. Call once per frame.
+// Tears the capsule of every cell in which the tension of the capsule exceeds the capsule's
+// strength. Call once per frame.
 void tearCapsule(ElasticState& state, const ElasticKernel& kernel);
 
 }  // namespace resect

@@ -1,9 +1,9 @@
-// Memory layout of tissue cells: a dense box of cells with a halo. A cell's 26 neighbours are at
-// fixed index offsets from it, and rows can be read sixteen cells at a time.
+// Memory layout of tissue cells: a dense box of cells with a halo. The 26 neighbours of a cell have
+// fixed index offsets from the cell. Rows can be read sixteen cells at a time.
 //
-// x is fastest. Each row (along x) ends with at least one empty cell, and each plane (x and y) ends
-// with an empty row. The box has an empty plane at each end. So a neighbour outside the lattice is
-// always an empty cell of the box.
+// x is fastest. Each row (along x) ends with at least one empty cell. Each plane (along x and y)
+// ends with an empty row. The box has an empty plane at each end. So if a neighbour of a cell lies
+// outside the lattice, it is an empty cell of the box.
 #pragma once
 
 #include <array>
@@ -15,17 +15,18 @@
 
 namespace resect {
 
-inline constexpr int kChunk = 16;  // cells processed together; a row's length is a multiple of it
+inline constexpr int kChunk = 16;  // cells processed together; divides the length of a row
 
 struct CellBox {
   Vec3i dims = Vec3i::Zero();                    // cells of the lattice along each axis
-  std::int32_t strideY = 0, strideZ = 0;         // index offset to the next cell along y, along z
-  std::int32_t front = 0;                        // cells before cell (0, 0, 0)
-  std::int32_t size = 0;                         // cells in all, halo included
+  std::int32_t strideY = 0, strideZ = 0;         // index offsets to the next cell along y and z
+  std::int32_t front = 0;                        // number of cells before cell (0, 0, 0)
+  std::int32_t size = 0;                         // number of all cells, halo included
   std::array<std::int32_t, kDirections> step{};  // index offset of the neighbour in each direction
 
   CellBox() = default;
-  // cells: number along each axis, >= 1. The box may have at most 2^31 - 1 cells, halo included.
+  // cells: number of cells along each axis, >= 1. The box may have at most 2^31 - 1 cells, halo
+  // included.
   explicit CellBox(const Vec3i& cells) : dims(cells) {
     const auto roundUp = [](int n) { return (n + kChunk - 1) / kChunk * kChunk; };
     strideY = roundUp(dims.x() + 1);

@@ -1,8 +1,9 @@
-// Sets up the state of elastic tissue and updates it after bonds are severed or cells removed.
+// Sets up the state of elastic tissue, and updates this state after bonds were severed or cells
+// were removed.
 //
 // Edits change bonds. Afterwards, refreshCells() updates the moment matrices of the cells whose
-// bonds changed, and the chunks that contain these cells or neighbours of them. It takes some
-// microseconds per hundred cells. No other cells are computed again.
+// bonds changed. It also updates the chunks that contain these cells or their neighbours. No other
+// cells are computed again. refreshCells() takes some microseconds per hundred cells.
 #pragma once
 
 #include <span>
@@ -30,16 +31,16 @@ void checkMaterial(const TissueMaterial& material);
 // Returns the material's index in s.materials; a new material is appended. Throws Error if there
 // are 256 materials already.
 std::uint8_t materialNumber(ElasticState& s, const TissueMaterial& material);
-// Computes masses, stiffnesses and plane weights of these cells. Call after their `solid` or
-// `material` was changed; call refreshCells() next. Cells that are not solid lose their motion and
-// forces.
+// Computes masses, stiffnesses and plane weights of these cells. Call after `solid` or `material`
+// of these cells was changed. Call refreshCells() next. Cells that are not solid lose their motion
+// and forces.
 void remakeCells(ElasticState& s, std::span<const std::int32_t> cells);
 
-// Computes inverse moments, skews and kappa of these cells, then calls refreshChunks(). Call after
-// the bonds of these cells were changed.
+// Computes ElasticState::inverseMoment, skew and kappa of these cells, then calls refreshChunks().
+// Call after the bonds of these cells were changed.
 void refreshCells(ElasticState& s, std::span<const std::int32_t> cells);
-// Computes the chunks that contain one of these cells or a neighbour of one. Call after `held` or
-// `loaded` of these cells was changed.
+// Updates the chunks that contain one of these cells or one of their neighbours. Call after `held`
+// or `loaded` of these cells was changed.
 void refreshChunks(ElasticState& s, std::span<const std::int32_t> cells);
 
 }  // namespace resect

@@ -1,11 +1,12 @@
 // The state of elastic tissue between two substeps, as arrays over the cells of a box with a halo.
 //
-// Bytes per cell of the box: 4 * (3 * 4 + 9 + 6 + 3 * 3 + 6) + 5 = 173; 4 * (7 + 8 n) more if a
-// material has n Maxwell branches; 20 more with a capsule (48 if there are no branches). Lengths
-// are in m, masses in kg; offsets to neighbours are in spacings. The symbols A_i, q_i and M_i are
-// those of docs/methods/tissue.md. L_i is the inverse of M_i, and S_i the sum over j of w_ij X_ij.
-// w is the weight of an edge neighbour (bondWeights()). The passes form sums with weights in units
-// of w; the arrays contain the factors w and 1 / spacing that such a sum lacks.
+// Memory per cell of the box: 4 * (3 * 4 + 9 + 6 + 3 * 3 + 6) + 5 = 173 bytes. If a material has n
+// Maxwell branches, 4 * (7 + 8 n) bytes are added. With a capsule, 20 bytes are added, or 48 if
+// there are no branches. Lengths are in m, masses in kg; but offsets to neighbours are in spacings.
+// The symbols A_i, q_i and M_i are those of docs/methods/tissue.md. L_i is the inverse of M_i. S_i
+// is the sum over j of w_ij X_ij. The symbol w without indices is the weight of an edge neighbour
+// (bondWeights()). The passes form sums in which weights are in units of w and offsets in spacings.
+// The arrays contain the missing factors w and 1 / spacing.
 #pragma once
 
 #include <array>
@@ -28,8 +29,8 @@ struct TissueChunk {
   std::int32_t start = 0;  // index in the box, a multiple of kChunk
   // Whether any cell of the chunk has `held` or `loaded` set.
   bool steered = false;
-  // Whether any cell of the chunk has no deformation gradient, or has a bond to a cell with another
-  // kappa.
+  // Whether any cell of the chunk has no deformation gradient, or is bonded to a cell whose kappa
+  // differs from its own.
   bool uneven = false;
   // Whether all cells of the chunk are bonded to all their solid neighbours.
   bool whole = true;
@@ -45,34 +46,36 @@ struct ElasticState {
   double spacing = 0;  // m
   double penalty = 0;  // alpha, see TissueSettings::penalty
   std::vector<TissueMaterial> materials;
-  std::array<FloatArray, 3> u, ahead, v;    // displacement u, m; u + beta dt v, m; velocity v, m/s
+  std::array<FloatArray, 3> u, ahead, v;    // u: m; ahead: u + beta dt v, m; v: m/s
   std::array<FloatArray, 9> stress;         // A w / spacing, row by row, N
   std::array<FloatArray, 3> bondForce;      // q, N
   std::array<FloatArray, 6> inverseMoment;  // L w / spacing: xx yy zz xy xz yz, 1/m
   std::array<FloatArray, 3> skew;           // S / w, in spacings
-  // Element i describes the plane of nine cells perpendicular to the row (x) whose middle cell is
-  // i. Each of the nine has the weight that it has as a neighbour of cell i - 1 or i + 1, in units
-  // of w. Only solid cells count; the middle cell itself need not be solid. [0]: sum of the
-  // weights. [1], [2]: sums of the weights times the offsets from the middle cell along y and z.
+  // Element i describes nine cells: the 3 x 3 cells round cell i in the plane perpendicular to x.
+  // Each of these cells has the weight that it has as a neighbour of cell i - 1 or i + 1, in units
+  // of w. Only solid cells count. Cell i itself need not be solid. [0]: sum of the weights. [1],
+  // [2]: sums of the weights times the offsets from cell i along y and z.
   std::array<FloatArray, 3> planeWeight;
   std::array<FloatArray, 3> load;  // external force on the cell, N
-  // relaxed is empty unless a material has Maxwell branches; viscous is empty unless a material has
-  // Maxwell branches or a capsule. relaxed[k]: the symmetric matrix B of branch k, whose stress is
-  // mu share (F (I + B) - cof F), as xx yy zz xy xz yz. viscous: sum over the branches of modulus
-  // times V times B, J, where B is the mean over the substeps until the branches are advanced
-  // again.
+  // relaxed[k]: the symmetric matrix B of Maxwell branch k, as xx yy zz xy xz yz. The stress of the
+  // branch is mu share (F (I + B) - cof F). viscous: sum over the branches of modulus times V times
+  // B, J. In this sum, B is a mean over the substeps until the branches are advanced again.
+  // `relaxed` is empty unless a material has Maxwell branches. `viscous` is empty unless a material
+  // has Maxwell branches or a capsule.
   std::array<std::array<FloatArray, 6>, kMostBranches> relaxed;
   std::array<FloatArray, 6> viscous;
   FloatArray inverseMass;  // 1/kg; 0 where there is no tissue
-  // shearVolume: mu V, J; V: volume of a cell. lameVolume: V times lambda + mu + a third of the
-  // branches' moduli, J.
+  // V is the volume of a cell. shearVolume: mu V, J. lameVolume: V (lambda + mu + M / 3), J, where
+  // M is the sum of the branches' moduli.
   FloatArray shearVolume, lameVolume;
-  FloatArray stiffening;     // b of tissue/material.h
-  FloatArray viscousVolume;  // sum of the branches' moduli times V, J; empty as `viscous`
+  FloatArray stiffening;                               // b of tissue/material.h
+  FloatArray viscousVolume;                            // M V, J; empty if `viscous` is empty
   std::array<FloatArray, kMostBranches> branchVolume;  // modulus of branch k times V, J
   std::array<FloatArray, kMostBranches> branchRate;    // 1 / relaxation time, 1/s
-  // Empty without a capsule. capsule: Young's modulus times thickness times area of the cell's
-  // capsule, J; 0 where it has none or it is torn. skinArea: m^2. skinNormal: unit.
+  // These arrays are empty if no material has a capsule. capsule: Young's modulus times thickness
+  // times area of the cell's capsule, J. The area is limited so that substeps stay stable. 0 if the
+  // cell has no capsule or its capsule is torn. skinArea: area of the cell's skin, m^2. skinNormal:
+  // normal of this skin, unit.
   FloatArray capsule, skinArea;
   std::array<FloatArray, 3> skinNormal;
   FloatArray kappa;                            // alpha mu V, J; 0 for a cell without a gradient
@@ -80,7 +83,7 @@ struct ElasticState {
   AlignedArray<std::uint8_t> solid, material;  // 1: solid; index in `materials`
   AlignedArray<std::uint8_t> capsuleTorn;      // 1: torn
   AlignedArray<std::uint8_t> held, loaded;     // bits of HeldAxis; 1: `load` may be other than 0
-  std::vector<TissueChunk> chunks;             // those with solid cells, ascending by `start`
+  std::vector<TissueChunk> chunks;             // all chunks with solid cells, ascending by `start`
 
   template <class Visitor>
   void visit(Visitor& v) {

@@ -1,8 +1,8 @@
 // Elastic tissue: explicit total-Lagrangian SPH on the organ's lattice.
 //
-// docs/methods/tissue.md derives the method. A frame is divided into substeps. Each is shorter than
-// the time in which a pressure wave passes from one cell to the next. Cost: two passes over the
-// solid cells per substep. The results have the same bits at any number of threads and with any
+// docs/methods/tissue.md derives the method. A frame is divided into substeps. A substep is shorter
+// than the time in which a pressure wave passes from one cell to the next. Cost: two passes over
+// the solid cells per substep. The results have the same bits at any number of threads and with any
 // instruction set. `cell` is always the index of a cell in the lattice.
 #pragma once
 
@@ -26,8 +26,8 @@
 
 namespace resect {
 
-// How many times the substep may be halved. If tissue still explodes (tissue/tissue_model.h), it is
-// stopped.
+// How many times the substep may be halved. If tissue still explodes after this
+// (tissue/tissue_model.h), it is stopped.
 inline constexpr int kMostHalvings = 6;
 // How many times the substep may be divided by 1.26 for stiff cells.
 inline constexpr int kMostFineness = 3;
@@ -35,18 +35,19 @@ inline constexpr int kMostFineness = 3;
 struct TissueSettings {
   Vec3 gravity = Vec3(0, -9.81, 0);  // m/s^2
   // Forces are evaluated at extrapolated positions. `damping` is the time of extrapolation as a
-  // fraction of a substep, from 0 to 0.5. 0 conserves energy. 0.5 damps the fastest waves most and
-  // slow motion hardly at all. More would be unstable.
+  // fraction of a substep, from 0 to 0.5. With 0, energy is conserved. With 0.5, the fastest waves
+  // are damped most and slow motion hardly at all. Values above 0.5 would be unstable.
   double damping = 0.1;
   // Rate at which velocities decay by friction of the surroundings, 1/s; 0: no friction.
   double drag = 0;
-  // Stiffness of the bonds against motions that the cells' gradients do not see (zero-energy
-  // modes), as a multiple of the shear modulus: alpha in docs/methods/tissue.md. Above 0, up to 3.
-  // At 1.55 the second-order error of bending and torsion vanishes. With less, tissue is too soft
-  // and its lattice wrinkles. With more, it is too stiff.
+  // Stiffness of the bonds against zero-energy modes, as a multiple of the shear modulus: alpha in
+  // docs/methods/tissue.md. A zero-energy mode is a motion that does not change the cells'
+  // gradients. Above 0, up to 3. With 1.55 the second-order error of bending and torsion vanishes.
+  // With smaller values, tissue is too soft and its lattice wrinkles. With larger values, tissue is
+  // too stiff.
   double penalty = 1.55;
   // Longest substep, as a fraction of the time in which a pressure wave passes from one cell to the
-  // next; above 0, up to 1. Beyond 0.5, tissue that is sheared or stretched as a whole may become
+  // next. Above 0, up to 1. Beyond 0.5, tissue that is sheared or stretched as a whole may become
   // unstable (docs/methods/tissue.md).
   double stepShare = 0.5;
   // Greatest number of threads for the two passes; 0: all threads that the program may use. If
@@ -61,7 +62,7 @@ struct TissueSettings {
 };
 
 struct TissueEnergy {
-  double kinetic = 0, elastic = 0, gravity = 0;  // J; `gravity` is 0 at rest positions
+  double kinetic = 0, elastic = 0, gravity = 0;  // J; `gravity` is 0 for tissue at rest
   double total() const { return kinetic + elastic + gravity; }
 };
 
@@ -71,8 +72,7 @@ class ElasticTissue final : public TissueModel {
   // is solid.
   ElasticTissue(const TissueCells& cells, const TissueSettings& settings);
 
-  // Attaches the solid cells of the region: pins them, or adds the springs of a ligament. A pin
-  // holds the cells that lie wholly in the region; a cell that lies partly in it gets a spring.
+  // Attaches the solid cells of the region by a pin or a ligament, as TissueAttachment::Kind says.
   // Returns the number of cells attached.
   std::int64_t attach(const TissueAttachment& attachment);
 
@@ -105,8 +105,8 @@ class ElasticTissue final : public TissueModel {
   std::int32_t gripped(std::int32_t tool) const override;
   const TissueMaterial* material(std::int64_t cell) const override;
   void setMaterial(std::int64_t cell, const TissueMaterial& material) override;
-  // Prescribes the velocity of the cell, m/s, along some axes. axes: bits of HeldAxis; 0 releases
-  // the cell.
+  // Prescribes the velocity of the cell, m/s, along some axes. axes: bits of HeldAxis. If `axes` is
+  // 0, the cell is released.
   void hold(std::int64_t cell, int axes, const Vec3& velocity = Vec3::Zero());
   // Sets the external force on the cell, N. It acts until it is set again.
   void setLoad(std::int64_t cell, const Vec3& force);
@@ -124,7 +124,7 @@ class ElasticTissue final : public TissueModel {
     return state_.bonds[state_.box.fromLattice(cell)];
   }
   double mass(std::int64_t cell) const override;       // kg
-  Mat3 deformation(std::int64_t cell) const override;  // F; identity if there is no gradient
+  Mat3 deformation(std::int64_t cell) const override;  // F; identity for a cell without F
   Mat3 stress(std::int64_t cell) const;                // first Piola-Kirchhoff stress, Pa
   Vec3 elasticForce(std::int64_t cell) const;          // as the last stress pass computed it, N
   TissueEnergy energy();
@@ -137,7 +137,7 @@ class ElasticTissue final : public TissueModel {
   void beginRestore() override;
   void endRestore(std::span<const std::uint8_t> alive) override;
   double longestSubstep() const { return longestSubstep_; }  // s, not shortened for stiff cells
-  double presentSubstep() const;                             // longest substep allowed now, s
+  double presentSubstep() const;                             // the longest substep at present, s
 
   const Lattice& lattice() const { return lattice_; }
   const TissueSettings& settings() const { return settings_; }
@@ -145,9 +145,9 @@ class ElasticTissue final : public TissueModel {
   void useKernel(const ElasticKernel& kernel) { kernel_ = &kernel; }
 
   // Computes the forces at the present displacements without moving any cell. elasticForce() then
-  // returns them.
+  // returns these forces.
   void evaluateForces();
-  // Sets all velocities to 0, except the prescribed ones of held cells.
+  // Sets all velocities to 0, except the prescribed velocities of held cells.
   void stopMotion();
 
  private:
@@ -156,11 +156,11 @@ class ElasticTissue final : public TissueModel {
     double duration = 0;
     std::span<const Obstacle> obstacles;
     SubstepConstants constants;
-    StiffCells stiff;  // as last counted
+    StiffCells stiff;  // result of the last count
     std::int32_t substeps = 0, retries = 0;
     bool calm = true;
   };
-  // Arrays of the state before a restore, to find the cells that the restore changed.
+  // Copies of arrays of the state from before a restore. They show which cells the restore changed.
   struct Before {
     AlignedArray<std::uint8_t> solid, material, held, loaded, capsuleTorn;
     AlignedArray<std::uint32_t> bonds;
@@ -186,7 +186,7 @@ class ElasticTissue final : public TissueModel {
 
   // State.
   ElasticState state_;
-  int fineness_ = 0;    // for stiff cells: substeps are divided by kFinerBy to this power
+  int fineness_ = 0;    // for stiff cells: how many times substeps are divided by kFinerBy
   int halvings_ = 0;    // how many times the substep is halved at present
   int calmFrames_ = 0;  // number of calm frames since `halvings_` last changed
   CutFaces cutFaces_;
@@ -195,16 +195,18 @@ class ElasticTissue final : public TissueModel {
   std::vector<Fibre> fibres_;
   std::vector<std::int32_t> cut_;     // indices of both cells of each severed bond
   std::vector<std::int32_t> pulled_;  // cells that joints may pull, ascending
-  double sinceTear_ = 0;  // time left for the advance of cracks, s; at most that of two cells
+  // Time that cracks may still use to advance, s; at most the time in which a crack advances by two
+  // cells.
+  double sinceTear_ = 0;
 
-  // Data that are set up once, and data derived from the state.
+  // Data that are set up once, and derived data.
   Lattice lattice_;
   TissueSettings settings_;
   const ElasticKernel* kernel_;
   double longestSubstep_ = 0;
   std::vector<UnevenBond> uneven_;
   std::vector<Cord> cords_;
-  std::vector<std::int32_t> gripper_;  // per cell of state_.box (lattice and halo): tool, or -1
+  std::vector<std::int32_t> gripper_;  // per cell of state_.box: number of its tool, or -1
   std::vector<std::int32_t> bondsChanged_, holdsChanged_;  // cells that settle() will update
   TissueContacts contacts_;
   Frame frame_;

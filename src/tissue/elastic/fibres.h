@@ -1,9 +1,10 @@
 // Fibres: springs along the bonds of tissue that is only one cell thick.
 //
-// In a sheet or a string of single cells, no cell has a deformation gradient. So without a fibre a
+// In a sheet or a string of single cells, no cell has a deformation gradient. So without a fibre, a
 // bond between two of these cells would not resist stretching. A fibre is a spring along the bond,
-// about as stiff as the tissue: E s / 2 between face neighbours and less between others, with
-// Young's modulus E and the spacing s. A fibre rotates with the tissue and does not resist bending.
+// about as stiff as the tissue. Let E be Young's modulus and s the spacing. The stiffness is E s /
+// 2 between face neighbours, and less between edge and corner neighbours. A fibre rotates with the
+// tissue and does not resist bending.
 #pragma once
 
 #include <span>
@@ -30,9 +31,8 @@ struct Fibre {
 inline constexpr float kFibreShare[4] = {0, 0.5f, 0.25f, 0.15f};
 
 // The fibres of all bonds between two cells without a gradient, in ascending order of a, then b. A
-// bond that has a fibre in `before` keeps that fibre. Any other bond gets a fibre whose length
-// without force is the bond's present length, so that a cut through stretched tissue adds no
-// energy.
+// bond that has a fibre in `before` keeps that fibre. Any other bond gets a fibre that exerts no
+// force at the bond's present length. So a cut through stretched tissue adds no energy.
 std::vector<Fibre> findFibres(const ElasticState& state, std::span<const Fibre> before);
 
 // Adds the fibres' forces to ElasticState::bondForce. Call after the stress pass.

@@ -15,12 +15,12 @@ std::array<double, 4> edgeWeights();
 // ElasticState::inverseMoment of a cell as a matrix, 1/m.
 Mat3 inverseMomentAt(const ElasticState& state, std::int32_t cell);
 
-// F - I, with the deformation gradient F; zero for a cell without one.
+// F - I, where F is the deformation gradient; zero for a cell without a gradient.
 Mat3 gradientAt(const ElasticState& state, std::int32_t cell);
 
-// As gradientAt(), in single precision and for many cells: at() computes all cells of a chunk
-// together, and keeps them until it is called for another chunk. The state must not change
-// meanwhile.
+// As gradientAt(), but in single precision and fast for many cells. at() computes the gradients of
+// all cells of a chunk together, and keeps them until it is called for another chunk. The state
+// must not change as long as this object is used.
 class ChunkGradients {
  public:
   ChunkGradients(const ElasticState& state, const ElasticKernel& kernel);
@@ -29,16 +29,16 @@ class ChunkGradients {
  private:
   const ElasticKernel& kernel_;
   ElasticView view_;
-  float weight_[4];  // of neighbours, as ElasticKernel::placements takes them
+  float weight_[4];  // argument of ElasticKernel::placements
   std::int32_t start_ = -1;
   float found_[12][kChunk];
 };
 
-// Elastic energy, per volume at rest, of the cell with the deformation gradient f, J/m^3:
-// heldEnergy() and the energy of the Maxwell branches in their present state.
+// Elastic energy per volume at rest, J/m^3, that the cell has with the deformation gradient f. It
+// is the sum of heldEnergy() and of the energy of the Maxwell branches in their present state.
 double freeEnergy(const ElasticState& state, std::int32_t cell, const Mat3& f);
 
-// cof F, the cofactor matrix: it maps area vectors at rest to present ones.
+// cof F, the cofactor matrix of F. It maps area vectors at rest to present area vectors.
 Mat3 cofactors(const Mat3& f);
 
 }  // namespace resect

@@ -16,7 +16,7 @@ namespace resect {
 struct TissueSpring {
   std::int32_t cell = 0;       // index in ElasticState::box
   std::int32_t tool = -1;      // number of the tool that grips the cell; -1: a ligament
-  Vec3 anchor = Vec3::Zero();  // m, in the tool's coordinates; for a ligament in the world
+  Vec3 anchor = Vec3::Zero();  // m; tool: in its coordinates; ligament: world
   double stiffness = 0;        // N/m
   double damping = 0;          // N s/m
 
@@ -43,15 +43,15 @@ class TissueSprings {
   std::span<const TissueSpring> all() const { return springs_; }
 
   // Adds the springs' forces to the loads of their cells, for one substep. dt: duration of the
-  // substep, s. share: the fraction of the frame at which the substep ends, 0 to 1. frame: duration
-  // of the frame, s. origin: rest position of the centre of cell (0, 0, 0), m. A spring of a tool
-  // that is not among the obstacles exerts no force.
+  // substep, s. share: time at which the substep ends, as a fraction of the frame, 0 to 1. frame:
+  // duration of the frame, s. origin: rest position of the centre of cell (0, 0, 0), m. If a tool
+  // is not among the obstacles, its springs exert no force.
   void pull(ElasticState& state, const Vec3& origin, std::span<const Obstacle> obstacles,
             double share, double frame, double dt);
-  // Per obstacle: the momentum that the springs have given to it since the last forgetImpulses(),
-  // kg m/s.
+  // Per obstacle: the momentum that the springs have given to the obstacle since the last
+  // forgetImpulses(), kg m/s.
   std::span<const Vec3> impulse() const { return impulse_; }
-  // Sets these momenta to 0. obstacles: number of obstacles.
+  // Sets all entries of impulse() to 0. obstacles: number of obstacles.
   void forgetImpulses(std::size_t obstacles) { impulse_.assign(obstacles, Vec3::Zero()); }
 
   template <class Visitor>

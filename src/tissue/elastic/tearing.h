@@ -6,23 +6,27 @@
 
 namespace resect {
 
-// A crack advances if the energy per volume of the cell at its tip, times the spacing, divided by
-// the tear energy, reaches this value. Measured in notched strips with cells of 2.5 to 8 mm, on
-// lattices aligned with the strip and rotated (test/tissue/tear_energy_test.cpp).
+// Let e be the energy per volume of the cell at the tip of a crack. The crack advances if e times
+// the spacing, divided by the tear energy, reaches this value. The value was measured in notched
+// strips with cells of 2.5 to 8 mm, on lattices that were aligned with the strip and on rotated
+// lattices (test/tissue/tear_energy_test.cpp).
 inline constexpr double kCrackShare = 0.28;
 // Greatest speed of a crack, m/s. A crack also advances by at most one cell in a frame.
 inline constexpr double kTearSpeed = 0.3;
-// How far from a gripped cell tissue without a crack may tear, m.
+// Tissue without a crack tears only near grips: inside the bounding box of all gripped cells at
+// rest, enlarged by this length on all sides, m. The length is rounded to whole cells, and is at
+// least one cell.
 inline constexpr double kGripReach = 0.02;
-// A cell at a cut and the cells bonded to it become candidates for a tear when the cell's energy
-// per volume is at least this share of the one at which the weakest material tears at a crack.
+// A cell at a cut, and the cells that are bonded to this cell, are examined only if its energy per
+// volume is high enough. The energy must be at least this share of the energy per volume at which a
+// crack advances in the weakest material.
 inline constexpr double kScreen = 0.3;
 // Two cells, or two bonds, count as equally loaded if the lower energy is at least this share of
-// the higher. So bonds along a crack's front tear in the same frame, even if rounding makes their
-// energies differ.
+// the higher. So all bonds along the front of a crack tear in the same frame, even if rounding
+// makes their energies differ.
 inline constexpr double kAlike = 0.9;
 
-// Unit vector of rest space along which F stretches most.
+// Direction of rest space in which F stretches most, unit.
 Vec3 mostStretched(const Mat3& f);
 
 }  // namespace resect

@@ -1,9 +1,9 @@
 // Correction of the forces in uneven bonds: bonds between two cells of different penalty stiffness
-// kappa. Either the materials of the two cells have different kappa, or one of the cells has no
-// deformation gradient and so a kappa of 0.
+// kappa. Either the materials of the two cells differ in kappa, or one of the cells has no
+// deformation gradient, and its kappa is 0.
 //
-// In the stress pass a cell uses its own kappa for both ends of each of its bonds, so that one sum
-// is enough. The forces in the few uneven bonds are corrected afterwards.
+// The stress pass computes the force on a cell with the cell's own kappa for all of its bonds, so
+// that one sum is enough. The forces in the few uneven bonds are corrected afterwards.
 #pragma once
 
 #include <span>
@@ -15,7 +15,8 @@ namespace resect {
 
 struct UnevenBond {
   std::int32_t a, b;  // its two cells: indices in ElasticState::box
-  float stiffness;    // w (kappa_b - kappa_a) / spacing^2, N/m; w: the bond's weight, bondWeights()
+  // w (kappa_b - kappa_a) / spacing^2, N/m. w: weight of the bond, from bondWeights().
+  float stiffness;
 };
 
 // All uneven bonds, in ascending order of a. Cost: some ns per cell of the chunks that are marked

@@ -1,4 +1,4 @@
-// Cuts bare vessels: those from which the tissue was taken away.
+// Cuts bare vessels: vessels round which the tissue has been removed.
 #pragma once
 
 #include "collision/swept_blade.h"
@@ -7,8 +7,8 @@
 namespace resect {
 
 // Appends a DivideVessel edit for each bare vessel that a sweeping edge crosses at a point where no
-// tissue is left. sweep: of the edge in this frame, world, m. Cost: proportional to the number of
-// bare vessels.
+// tissue is left. sweep: the sweep of the edge in this frame, world, m. Cost: proportional to the
+// number of bare vessels.
 void divideBareVessels(const Touch& touch, const SweptBlade& sweep, std::vector<TissueEdit>& edits);
 
 }  // namespace resect

@@ -1,5 +1,6 @@
 // Working part of bipolar forceps: while the tips are closed, current flows through the tissue
-// between them, as with a generator with automatic start. Its heat seals vessels and stops oozing.
+// between them. No pedal is needed: the generator starts automatically. The heat of the current
+// seals vessels and stops oozing.
 #pragma once
 
 #include "tools/working_part.h"

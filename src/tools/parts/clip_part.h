@@ -5,7 +5,7 @@
 
 namespace resect {
 
-inline constexpr double kClipCloses = 0.95;  // ToolStance::squeeze at which the clip is shut
+inline constexpr double kClipCloses = 0.95;  // value of ToolStance::squeeze that shuts the clip
 inline constexpr double kClipReach = 0.008;  // m: greatest distance of a vessel from the tool's tip
 // Whether a clip closes a vessel of this radius, m, and stays on it.
 inline bool holdsClip(double radius) { return radius >= 0.3e-3 && radius <= 3.5e-3; }

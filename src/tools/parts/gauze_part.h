@@ -1,5 +1,5 @@
-// Working part of a gauze swab: pressed on tissue, it holds back the blood of the vessels under it
-// by the pressure of the hand, and it soaks up blood.
+// Working part of a gauze swab: the hand presses the swab on tissue. The pressure holds back the
+// blood of the vessels under the swab, and the swab soaks up blood.
 #pragma once
 
 #include "tools/working_part.h"

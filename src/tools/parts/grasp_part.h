@@ -1,5 +1,5 @@
-// Working part of tissue forceps: when the tips close, they grip the tissue between them, so that
-// the forceps pull it. When the tips open, they release it.
+// Working part of tissue forceps: when the tips close, they grip the tissue between them. The
+// forceps then pull this tissue until the tips open.
 //
 // The forceps grip only tissue that is between the tips in the frame in which they close. Tissue
 // that closed forceps touch later is not gripped. The simulation releases the cells when the force

@@ -1,6 +1,6 @@
-// Working part of a clamp for the inflow of the liver (Pringle 1908). When it is closed near the
-// liver's hilum, it shuts the portal vein and the hepatic artery. They stay shut until it is opened
-// there again.
+// Working part of a clamp for the inflow of the liver (Pringle 1908). When the clamp is closed near
+// the liver's hilum, it shuts the portal vein and the hepatic artery. These vessels stay shut until
+// the clamp is opened near the hilum.
 #pragma once
 
 #include "tools/working_part.h"

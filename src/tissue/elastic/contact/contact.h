@@ -1,20 +1,21 @@
 // Contact of tissue with obstacles: instruments, the table, the tool box.
 //
 // Once per frame the points of the surface (contact/points.h) and the cells that can come near an
-// obstacle are listed. After every substep the depth of each point in the obstacle is found. A
-// point inside is pressed out by a spring; the spring's force is spread to the cells that the point
-// follows. The spring stands for tissue that the lattice does not resolve: the half of a cell
-// between the outermost centres and the surface, and dents smaller than a cell
-// (docs/methods/tissue.md).
+// obstacle are listed. After every substep the depth of each listed point inside the obstacle is
+// computed. A point inside the obstacle is pressed out by a spring. The spring's force is spread to
+// the cells that the point follows. The spring stands for tissue that the lattice does not resolve:
+// the half cell between the outermost cell centres and the surface, and dents that are smaller than
+// a cell (docs/methods/tissue.md).
 //
-// Friction is computed cell by cell: a pressed cell loses the tangential part of its velocity
-// relative to the obstacle, up to Coulomb's limit; the displacement that this velocity caused in
-// the substep is undone. The momentum that cells lose, divided by the frame's duration, is the
-// force on the obstacle.
+// Friction is computed cell by cell. A pressed cell loses the tangential part of its velocity
+// relative to the obstacle, up to Coulomb's limit. The displacement that the lost velocity caused
+// in the substep is undone. The force on the obstacle is the momentum that cells lose in a frame,
+// divided by the frame's duration.
 //
-// As a last resort, the centre of a cell is moved out if it lies inside the table or the tool box,
-// or more than one spacing deep inside an instrument. Blades and hooks must be able to enter
-// tissue. So they press no points; only cell centres are kept a tenth of a spacing away from them.
+// As a last resort, the centre of a cell is moved if it lies too deep inside an obstacle. No centre
+// may lie inside the table or the tool box, and none more than one spacing deep inside an
+// instrument. Blades, jaws and hooks must be able to enter tissue (Obstacle::enters). So they press
+// no points, but cell centres are kept a tenth of a spacing away from them.
 #pragma once
 
 #include <vector>
@@ -37,28 +38,29 @@ class TissueContacts {
   }
 
   // Call once per frame: lists the points and cells that can come near an obstacle in the frame.
-  // duration: of the frame, s. origin: rest position of cell (0, 0, 0), m. gripper: for each cell
-  // of the box the number of the tool that grips it, or -1; may be empty. A tool does not push the
-  // cells that it grips.
+  // duration: duration of the frame, s. origin: rest position of cell (0, 0, 0), m. gripper: for
+  // each cell of the box, the number of the tool that grips the cell, or -1. If `gripper` is empty,
+  // no cell is gripped. A tool does not push the cells that it grips.
   void list(const ElasticState& state, const ElasticKernel& kernel, const Vec3& origin,
             double duration, std::span<const Obstacle> obstacles,
             std::span<const std::int32_t> gripper);
 
-  // Call after each substep: presses the tissue out of the obstacles. share: the fraction
-  // of the frame at which the substep ends, 0 to 1. dt: length of the substep, s. lookAhead:
+  // Call after each substep: presses the tissue out of the obstacles. share: time at which the
+  // substep ends, as a fraction of the frame, 0 to 1. dt: length of the substep, s. lookAhead:
   // SubstepConstants::lookAhead.
   void push(ElasticState& state, double share, double dt, double lookAhead);
 
   const ContactPoints& points() const { return points_; }
-  // Momentum that cells have given to each obstacle since list(), kg m/s.
+  // Per obstacle: momentum that cells have given to the obstacle since list(), kg m/s.
   std::span<const Vec3> impulse() const { return impulse_; }
   // Sets impulse() to zero.
   void forgetImpulses();
   // Discards the obstacles of the last list().
   void forgetObstacles() { bodyCount_ = 0; }
 
-  // Appends the points at which the tool presses tissue now, at its pose at the end of the frame,
-  // in the order of the cells. Cost: that of one substep for this tool's points.
+  // Appends the points at which the tool presses the tissue when the tool has its pose at the end
+  // of the frame. The points are in the order of the cells. Takes as long as one substep takes for
+  // the points of this tool.
   void pressedBy(const ElasticState& state, std::int32_t tool,
                  std::vector<PressedPoint>& points) const;
   // The obstacle of that tool in the last list(); null if there is none.
@@ -73,7 +75,7 @@ class TissueContacts {
   // A cell that an obstacle may push.
   struct Cell {
     std::int32_t cell;
-    bool near;  // true: its centre may come near the obstacle; false: only its points may
+    bool near;  // true: its centre may come near the obstacle; false: only its points
     Vec3 rest;  // rest position, m
   };
   // A point that an obstacle may press. Its position is `base` plus the mean displacement of the
@@ -81,26 +83,26 @@ class TissueContacts {
   struct Point {
     Vec3f base;                 // m
     Vec3f inwards;              // unit, into the tissue
-    float width;                // square root of its patch's area, m
+    float width;                // square root of the area of its patch, m
     float stiffness, damping;   // N/m, N s/m
-    std::int32_t first, count;  // its cells, as a range of Body::shares
+    std::int32_t first, count;  // range of Body::shares that belongs to the point
   };
   struct Share {
     std::int32_t cell;  // index in Body::cells
     float weight;
   };
-  // An obstacle in this frame.
+  // An obstacle in this frame, with the cells and points that it may press.
   struct Body {
     Obstacle obstacle;
-    Vec3 velocity, spin;                   // of the obstacle in the frame, world, m/s and rad/s
+    Vec3 velocity, spin;                   // of the obstacle, world, m/s and rad/s
     std::vector<std::int32_t> candidates;  // cells whose points or centres may come near
     std::vector<Cell> cells;
     std::vector<Point> points;
     std::vector<Share> shares;
-    Pose back;   // from the world to the obstacle's coordinates at the end of the frame
-    Aabb box;    // where the obstacle can touch cells; in its coordinates at the frame's end
+    Pose back;   // from the world to the obstacle's coordinates at the frame's end
+    Aabb box;    // where the obstacle can touch cells, in the coordinates of `back`
     Aabb world;  // bounds of `box` in the world
-    Vec3 up[2];  // outward normal of a half-space at the start and at the end of the frame
+    Vec3 up[2];  // outward normal of a half space at the start and at the end of the frame
   };
   // An obstacle's pose at the end of a substep, and its rotation as a matrix.
   struct Stance {
@@ -128,13 +130,13 @@ class TissueContacts {
   std::size_t bodyCount_ = 0;
   std::vector<Vec3> impulse_;  // per obstacle, kg m/s
 
-  // Memory that is used again.
+  // Work space, kept so that its memory is reused.
   std::vector<std::int32_t> slot_;   // per cell of the box: index in Body::cells, or -1
-  std::vector<ContactPoint> found_;  // of one cell
+  std::vector<ContactPoint> found_;  // points of one cell
   MeanNormals mean_;
   std::vector<Column> moved_;  // displacements of Body::cells, m
-  // Per entry of Body::cells: the impulse that points give to the cell in this substep, kg m/s. The
-  // last component is above 0 if the cell got an impulse.
+  // Per entry of Body::cells: the momentum that points give to the cell in this substep, kg m/s.
+  // The fourth component is above 0 if points gave the cell any momentum.
   std::vector<Column> given_;
 };
 

@@ -1,9 +1,10 @@
 // The depth of a patch of the tissue's surface inside an obstacle.
 //
-// The way out of the obstacle is followed from the patch along the tissue's normal, inwards. The
-// depth is the component of this way along the obstacle's normal. The distance to the nearest face
-// of the obstacle would be wrong: beside the edge of an instrument the nearest face is its flank,
-// so tissue would be pushed sideways and the instrument would slip into the tissue.
+// A patch inside the obstacle is moved along the tissue's inward normal until it leaves the
+// obstacle. The vector of this motion is called the way out. The depth is the component of the way
+// out along the normal of the obstacle's surface. The distance to the nearest face of the obstacle
+// would be wrong: beside the edge of an instrument, the nearest face is the instrument's flank.
+// Tissue would be pushed sideways there, and the instrument would slip into the tissue.
 #pragma once
 
 #include "collision/signed_distance.h"
@@ -12,23 +13,23 @@ namespace resect {
 
 struct Dent {
   double depth = 0;              // m; 0: no contact
-  Vec3 outwards = Vec3::Zero();  // normal of the obstacle's surface at the way out, unit
+  Vec3 outwards = Vec3::Zero();  // normal of the obstacle where the way out ends, unit
   double share = 0;              // share of the patch that the obstacle covers, 0 to 1
 };
 
 // Limits of the search for the way out of an obstacle.
 struct WayOut {
   double deepest;   // m; larger depths are reduced to this
-  double farthest;  // m; if the way out is longer, the patch is edge-on and there is no contact
-  // There is also no contact if the way out is longer than `deepest` and the cosine of the angle
-  // between the way and the obstacle's normal is below this. Example: the side of a block is
-  // edge-on to a plate that lies on the block.
+  double farthest;  // m; if the way out is longer, there is no contact: the patch is edge-on
+  // Least cosine of the angle between the way out and the obstacle's normal. If the way out is
+  // longer than `deepest` and the cosine is below this limit, there is no contact either. Example:
+  // the side of a block is edge-on to a plate that lies on the block.
   double leastSlope;
 };
 
 // All vectors are in the obstacle's coordinates. place: middle of the patch, m. inwards: the
-// tissue's normal, unit, into the tissue. width: of the patch, m. If the way out is longer than
-// `deepest`, the result has the depth `deepest` and the normal `inwards`.
+// tissue's normal, unit, into the tissue. width: width of the patch, m. If the way out is longer
+// than `deepest`, the result has the depth `deepest` and the normal `inwards`.
 Dent dentIn(const SignedDistance& shape, const Vec3& place, const Vec3& inwards, double width,
             const WayOut& limits);
 

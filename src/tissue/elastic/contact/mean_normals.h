@@ -1,9 +1,9 @@
 // The normal of the tissue's surface, as a mean over several cells.
 //
-// A tip that is narrower than a cell makes a dent that the lattice does not resolve: the computed
-// normals under the tip are inclined like those of a much wider dent, and incline further as the
-// tip goes deeper. The area-weighted mean normal over the surrounding cells depends on the dent's
-// rim alone.
+// A tip that is narrower than a cell makes a dent that the lattice does not resolve. The computed
+// normals under the tip are inclined as if the dent were much wider, and their inclination grows as
+// the tip goes deeper. The mean normal over the surrounding cells, weighted by area, does not have
+// this error: it depends on the rim of the dent alone.
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@
 
 namespace resect {
 
-// Sums of present area vectors, m^2: one for each of the directions +x, -x, +y, -y, +z, -z that the
-// surface faced at rest. So surfaces that faced in opposite directions, such as the two sides of a
-// thin sheet or the lips of a cut, are not mixed.
+// Six sums of present area vectors, m^2, one for each of the directions +x, -x, +y, -y, +z and -z.
+// A part of the surface is added to the sum of the direction that it faced at rest. So the two
+// sides of a thin sheet, or the two lips of a cut, are not mixed.
 using AreaBySide = std::array<Vec3f, 6>;
 
 // Mean normal, unit, outwards, at a point whose normal at rest is `normal`.
@@ -27,7 +27,8 @@ class MeanNormals {
  public:
   // Discards the sums of all cells. Call when the state has changed.
   void clear(const ElasticState& state);
-  // The sums over the present surface of all cells up to three cells from `cell` along each axis.
+  // The sums over the present surface of `cell` and of all cells that are at most three cells away
+  // from it along each axis.
   AreaBySide around(const ElasticState& state, const ContactPoints& points,
                     ChunkGradients& gradients, std::int32_t cell);
 
@@ -36,10 +37,10 @@ class MeanNormals {
   std::int32_t find(const ElasticState& state, const ContactPoints& points,
                     ChunkGradients& gradients, std::int32_t cell);
 
-  std::vector<std::int32_t> index_;  // per cell of the box: index in sides_, or one of the above
+  std::vector<std::int32_t> index_;  // per cell of the box: index in sides_, kNotSeen or kNoSurface
   std::vector<std::int32_t> seen_;   // cells whose index_ is not kNotSeen
   std::vector<AreaBySide> sides_;
-  std::vector<ContactPoint> found_;  // memory that is used again
+  std::vector<ContactPoint> found_;  // work space
 };
 
 }  // namespace resect

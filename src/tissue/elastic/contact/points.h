@@ -1,12 +1,13 @@
 // The points at which elastic tissue touches obstacles.
 //
-// Points lie on the surface at rest, and each stands for a patch of it. The patches are those given
-// to setSurface(), and parts of the cell faces that edits have bared. If setSurface() was not
-// called, the patches are parts of all cell faces without a neighbour.
+// Points lie on the surface at rest. Each point stands for a patch of the surface. setSurface()
+// gives patches; parts of cell faces that edits have bared are patches too. If setSurface() was not
+// called, the patches are parts of all cell faces at which there is no neighbour.
 //
-// A point belongs to a cell. It follows the mean of that cell and of the neighbours bonded to it,
-// with the weights of quadratic splines. These weights spread a force equally far wherever the
-// point lies in its cell. So tissue yields equally everywhere, although its cells are large.
+// A point belongs to a cell. The point follows the weighted mean of this cell and of the neighbours
+// that are bonded to this cell. The weights are those of quadratic splines; they spread a force
+// equally far wherever the point lies in its cell. So tissue yields equally everywhere, although
+// its cells are large.
 #pragma once
 
 #include <array>
@@ -20,8 +21,8 @@ namespace resect {
 
 struct ContactPoint {
   Vec3f offset;  // rest position relative to the centre of the point's cell, m
-  Vec3f normal;  // of the surface at rest, unit, outwards
-  float area;    // of its patch, m^2
+  Vec3f normal;  // normal of the surface at rest, unit, outwards
+  float area;    // area of its patch, m^2
 };
 
 // Cells are given by their index in the CellBox.
@@ -34,8 +35,8 @@ class ContactPoints {
   // Appends the points of a cell. lips: whether to include points on the faces of cuts.
   void fine(const ElasticState& state, std::int32_t cell, bool lips,
             std::vector<ContactPoint>& points) const;
-  // As fine(), but with fewer points: one for each bared face, and one for all patches of
-  // setSurface(). Faces of cuts have none.
+  // As fine(), but with fewer points: one point for each bared face, and one point for all patches
+  // of setSurface() together. Faces of cuts get no points.
   void coarse(const ElasticState& state, std::int32_t cell,
               std::vector<ContactPoint>& points) const;
   // Calls visit(const ContactPoint&) for the patches of setSurface() that belong to the cell.
@@ -43,7 +44,7 @@ class ContactPoints {
   void visitPatches(std::int32_t cell, Visit visit) const {
     for (const Owned& one : patchesOf(cell)) visit(one.point);
   }
-  std::size_t bytes() const {  // of memory held
+  std::size_t bytes() const {  // memory held
     return told_.capacity() * sizeof(Owned) + first_.capacity() * sizeof(std::int32_t);
   }
 
@@ -57,18 +58,19 @@ class ContactPoints {
                 std::vector<ContactPoint>& points) const;
 
   std::vector<Owned> told_;  // ascending by cell
-  // Per cell of the box: index of its first patch in told_; if it has none, kInside for a cell that
-  // was solid before all edits, kOutside for any other. Empty if setSurface() was not called.
+  // Per cell of the box: index in told_ of the cell's first patch. If the cell has no patch:
+  // kInside if the cell was solid before all edits, else kOutside. Empty if setSurface() was not
+  // called.
   static constexpr std::int32_t kInside = -1, kOutside = -2;
   std::vector<std::int32_t> first_;
 };
 
-// The weights of a point's cell and of its neighbours. They add up to 1.
+// The weights of a point's cell and of its neighbours. The weights add up to 1.
 struct PointWeights {
   std::int32_t count = 0;
   std::array<std::int32_t, kDirections + 1> cell;
   std::array<float, kDirections + 1> weight;
-  Vec3f mean;  // of the cells' rest positions, relative to the centre of the point's cell, m
+  Vec3f mean;  // weighted mean of the cells' rest positions, relative to the point's cell, m
 };
 PointWeights weightsAt(const ElasticState& state, std::int32_t cell, const Vec3f& offset);
 

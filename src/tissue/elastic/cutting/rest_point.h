@@ -10,11 +10,12 @@
 
 namespace resect {
 
-// The cells over which a force on a point of the tissue is spread, and whose mean motion is taken
-// as that of the point. Cells are given by their index in the CellBox.
+// The cells that stand for a point of the tissue. A force on the point is spread over these cells,
+// and their weighted mean motion is taken as the point's motion. Cells are given by their index in
+// the CellBox.
 struct PointCells {
   std::vector<std::int32_t> cells;
-  std::vector<double> weights;   // they add up to 1
+  std::vector<double> weights;   // one per cell; the weights add up to 1
   Vec3 mean = Vec3::Zero();      // weighted mean of the cells' rest positions, m
   std::int32_t nearest = -1;     // the cell whose centre is nearest at rest; -1: there is no cell
   Mat3 gradient = Mat3::Zero();  // F - I of the nearest cell when the cells were found
@@ -27,31 +28,35 @@ class RestTissue {
   RestTissue(const ElasticState& state, const Lattice& lattice, const ContactPoints& surface)
       : state_(state), lattice_(lattice), surface_(surface) {}
 
-  // Finds the cells round a point: the solid cells within kCutReach, or if there are none the
-  // nearest solid cell within about two spacings. A point force would crush single cells, so it is
-  // spread over a length that does not depend on the lattice.
+  // Finds the cells that stand for a point: the solid cells within the reach (see kCutReach). If
+  // there are none, or only cells at the end of the reach, takes the nearest solid cell instead, if
+  // its centre is at most two spacings away along each axis. Since a force on a single cell would
+  // crush the cell, forces are spread over a length that does not depend on the lattice.
   void findCells(const Vec3& point, PointCells& cells) const;
   Vec3 displacement(const Vec3& point, const PointCells& cells) const;  // m
   Vec3 velocity(const PointCells& cells) const;                         // m/s
-  // The distance, m, between two estimates of the point's present position: from the mean of all
-  // its cells, and from its nearest cell alone. Between the lips of an open cut this is half of the
-  // gap.
+  // The distance, m, between two estimates of the point's present position. One estimate uses the
+  // mean of all cells of the point, the other its nearest cell alone. Between the lips of an open
+  // cut, the distance is half of the gap.
   double apart(const Vec3& point, const PointCells& cells) const;
   // Whether the point lies in tissue: below the organ's surface, in a cell that was not removed.
   bool inside(const Vec3& point) const { return depth(point) > 0; }
-  // Depth of the point below the organ's surface, m; negative outside. Where the surface is a
-  // spacing or more away: kKnownDepth spacings in a solid cell, -kKnownDepth spacings elsewhere.
+  // Depth of the point below the organ's surface, m; negative outside. If the surface is a spacing
+  // or more away, the result is kKnownDepth spacings in a solid cell and -kKnownDepth spacings
+  // elsewhere.
   double depth(const Vec3& point) const;
-  // Whether there is uncut tissue ahead. A small strip is laid whose middle line leads from `point`
-  // to `point + ahead` and whose width is one spacing along the unit vector `along`. All pairs of
-  // neighbouring solid cells are found whose connecting line crosses the strip. True if the pair
-  // nearest to `point` is bonded, or any pair in the half of the strip that is nearer to `point`.
+  // Whether there is uncut tissue ahead of `point`. For this, a small rectangular strip is tested.
+  // Its middle line leads from `point` to `point + ahead`; it is one spacing wide along the unit
+  // vector `along`. A pair of neighbouring solid cells crosses the strip if the line between their
+  // centres does. The result is true in two cases: if the first pair that crosses the strip,
+  // counted from `point`, is bonded, or if any pair that crosses the nearer half of the strip is
+  // bonded.
   bool tissueAhead(const Vec3& point, const Vec3& along, const Vec3& ahead) const;
 
   const ElasticState& state() const { return state_; }
   const Lattice& lattice() const { return lattice_; }
 
-  static constexpr double kCutReach = 0.009;  // m; 1.5 spacings if that is more
+  static constexpr double kCutReach = 0.009;  // reach, m; or 1.5 spacings, if longer
   static constexpr double kKnownDepth = 1;    // spacings
 
  private:

@@ -1,4 +1,4 @@
-// The compiled kernels. Each runs only on a machine that has its instructions.
+// The compiled kernels. Each kernel runs only on machines that have its instructions.
 #pragma once
 
 #include "tissue/elastic/kernel/elastic_kernel.h"
