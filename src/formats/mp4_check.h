@@ -3,9 +3,10 @@
 
 namespace resect {
 
-// Whether the boxes of the file (ISO/IEC 14496-12, 4.2) end exactly at its last byte, and include
-// the index (moov) and the pictures (mdat). Reads only the headers of the boxes. Does not change
-// the file position of the descriptor.
+// Whether a .mp4 file is complete. A .mp4 file consists of boxes (ISO/IEC 14496-12, section 4.2).
+// The file counts as complete if the last box ends exactly at the last byte of the file, and if
+// there are boxes with the index (moov) and with the pictures (mdat). Only the headers of the boxes
+// are read. The file position of the descriptor does not change.
 bool isWholeMp4(int descriptor);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// Report about a file of particles, for the command `resect info`.
+// Reports about particle files (io/cells/particle_file.h), for the command `resect info`.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,12 +8,12 @@
 
 namespace resect {
 
-// The report as JSON. Lengths are in m, volumes in ml, landmarks in fractions of the organ's box.
-// kept: the content of the file. path: the file's name, which is shown; its extension gives the
-// format.
+// The report as JSON. Lengths are in m and volumes in ml. Coordinates of landmarks are fractions of
+// the organ's box. kept: the content of the file. path: the name of the file; the report shows it,
+// and names the format by its extension.
 nlohmann::ordered_json toJson(const KeptCells& kept, const std::string& path);
 
-// The report as text, one fact in each line.
+// The report as text, with one fact in each line.
 std::string toText(const KeptCells& kept, const std::string& path);
 
 }  // namespace resect

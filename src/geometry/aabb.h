@@ -1,4 +1,4 @@
-// Axis-aligned boxes: bounds of points, intersection, overlap.
+// Axis-aligned boxes: bounds of points, intersections, and tests whether boxes meet.
 #pragma once
 
 #include <limits>
@@ -8,7 +8,8 @@
 
 namespace resect {
 
-// Closed box [min, max], m. A default box is empty and can be grown.
+// A closed box, which means that its faces belong to it; m. The box extends from `min` to `max`
+// along each axis. A default box is empty, and grow() can extend it.
 struct Aabb {
   Vec3 min = Vec3::Constant(std::numeric_limits<double>::infinity());
   Vec3 max = Vec3::Constant(-std::numeric_limits<double>::infinity());
@@ -21,8 +22,8 @@ struct Aabb {
   bool empty() const { return (min.array() > max.array()).any(); }
   Vec3 size() const { return empty() ? Vec3(Vec3::Zero()) : Vec3(max - min); }
   Vec3 centre() const { return 0.5 * (min + max); }
-  // number: 0 to 7. If bit a of it is set, the corner is at the upper end of the box along axis a,
-  // else at the lower end.
+  // One of the eight corners. number: 0 to 7. If bit a of `number` is set, the corner is at the
+  // upper end of the box along axis a, otherwise at the lower end.
   Vec3 corner(int number) const {
     return {(number & 1 ? max : min).x(), (number & 2 ? max : min).y(),
             (number & 4 ? max : min).z()};
@@ -43,12 +44,12 @@ struct Aabb {
   }
 };
 
-// Whether the boxes have a point in common.
+// Whether the two boxes have a point in common.
 inline bool meets(const Aabb& a, const Aabb& b) {
   return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
 }
 
-// The common part; empty if the boxes do not meet.
+// The common part of the two boxes. Empty if the boxes do not meet.
 inline Aabb intersection(const Aabb& a, const Aabb& b) {
   return {a.min.cwiseMax(b.min), a.max.cwiseMin(b.max)};
 }

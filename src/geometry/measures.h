@@ -8,17 +8,17 @@ namespace resect {
 // Sum of the triangles' areas, m^2.
 double area(const TriangleMesh& mesh);
 
-// The sum of the signed volumes of the tetrahedra that the triangles make with the origin, m^3. For
-// a closed mesh this is the enclosed volume; it is negative if the mesh is inside out. For an open
-// mesh it depends on where the origin is.
+// Each triangle forms a tetrahedron with the origin. This is the sum of the signed volumes of these
+// tetrahedra, m^3. For a closed mesh the sum is the enclosed volume, and it is negative if the mesh
+// is inside out. For an open mesh the sum depends on where the origin is.
 double volume(const TriangleMesh& mesh);
 
-// volume() with the point `tip` in place of the origin. A closed mesh has the same volume for any
-// tip; a tip near the mesh gives less rounding error.
+// The same sum with the point `tip` in place of the origin. For a closed mesh the result does not
+// depend on `tip`, but the rounding error is smaller if `tip` is near the mesh.
 double volumeAbout(const TriangleMesh& mesh, const Vec3& tip);
 
-// Centroid of the volume that a closed mesh encloses, m. If the mesh encloses no volume: the centre
-// of its bounding box.
+// Centroid of the volume that a closed mesh encloses, m. If the mesh encloses no volume, the result
+// is the centre of its bounding box.
 Vec3 centroid(const TriangleMesh& mesh);
 
 }  // namespace resect

@@ -6,8 +6,8 @@
 
 namespace resect {
 
-// World point = rotation * body point + position. `rotation` is a unit quaternion; `position` is in
-// m.
+// The pose maps a point of the body to the world: world point = rotation * body point + position.
+// `rotation` is a unit quaternion. `position` is in m.
 struct Pose {
   Vec3 position = Vec3::Zero();
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
@@ -28,8 +28,8 @@ inline bool isFinite(const Pose& pose) {
   return pose.position.allFinite() && pose.rotation.coeffs().allFinite();
 }
 
-// The pose between a (at share 0) and b (at share 1). The position is interpolated linearly, the
-// rotation along the shorter great circle.
+// A pose between a and b: a for share 0, b for share 1. The position is interpolated linearly. The
+// rotation is interpolated along the shorter great circle (slerp() in geometry/rotation.h).
 inline Pose interpolate(const Pose& a, const Pose& b, double share) {
   return {a.position + share * (b.position - a.position), slerp(a.rotation, b.rotation, share)};
 }

@@ -5,14 +5,15 @@
 
 namespace resect {
 
-// The rotation that turns the body from its present orientation to a nearby one in which it can
-// rest on a horizontal table (Y up): one in which the height of the centre of mass, at uniform
-// density, is a local minimum. The minimum is found by descent, to about 0.1 degrees. The result is
-// the identity for a mesh that encloses no volume.
+// The rotation that brings the body from its present orientation to one in which it can rest on a
+// horizontal table (Y is up). In that orientation the height of the centre of mass has a local
+// minimum. The density of the body is taken as uniform. A descent from the present orientation
+// finds the minimum, with an error of about 0.1 degrees. If the mesh encloses no volume, the result
+// is the identity.
 Eigen::Quaterniond restingRotation(const TriangleMesh& mesh);
 
-// The pose with this rotation in which the mesh stands on the table. The bottom of the bounding box
-// is then at y = 0 and centred on the origin.
+// The pose that has this rotation and in which the mesh stands on the table: the bottom of the
+// mesh's bounding box is at y = 0, and the middle of this bottom is the origin.
 Pose standOnTable(const TriangleMesh& mesh, const Eigen::Quaterniond& rotation);
 
 }  // namespace resect

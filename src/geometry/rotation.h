@@ -1,5 +1,6 @@
-// Rotations that give the same bits on every machine. Use these functions instead of Eigen's, which
-// call the sine and arc functions of the C library. The functions here call base/elementary.h.
+// Functions for rotations that give the same bits on every machine. Use them instead of Eigen's
+// functions. Eigen's functions call the sine and arc functions of the C library, whose last bits
+// may differ between machines. The functions of this header call base/elementary.h.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -8,18 +9,19 @@
 
 namespace resect {
 
-// The rotation by `angle` (rad, |angle| <= 1e6) about a unit axis: counter-clockwise for a viewer
-// at whom the axis points.
+// The rotation by `angle` about `axis`. angle: rad, |angle| <= 1e6. axis: unit vector. The rotation
+// is counter-clockwise for a viewer at whom the axis points.
 Eigen::Quaterniond rotationAbout(const Vec3& axis, double angle);
 
-// The angle of the smallest rotation that turns orientation a into b, 0 to pi rad.
+// The angle of the smallest rotation that turns orientation a into orientation b, 0 to pi rad.
 double angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b);
 
-// The rotation axis, a unit vector, times the angle (rad, at most pi) of a unit quaternion; zero
-// for the identity.
+// A rotation as a vector: its direction is the rotation axis, and its length is the angle, 0 to pi
+// rad. The identity gives the zero vector. rotation: unit quaternion.
 Vec3 rotationVector(const Eigen::Quaterniond& rotation);
 
-// Interpolates from a (share 0) to b (share 1) along the shorter great circle (Shoemake 1985).
+// Interpolates along the shorter great circle (Shoemake 1985). The result is a for share 0, and b
+// for share 1.
 Eigen::Quaterniond slerp(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b, double share);
 
 }  // namespace resect

@@ -1,8 +1,9 @@
-// Topology of a mesh: whether it is closed, consistently oriented and manifold; its components.
+// Topology of a mesh: whether the mesh is closed, consistently oriented and manifold, and which
+// components it has.
 //
-// Sorts the edges and counts them: O(n log n), deterministic. Two points are the same if they have
-// the same index; positions do not matter. So a mesh that repeats positions must be welded first
-// (geometry/repair/weld.h).
+// Points are told apart by their indices; their positions do not matter. So a mesh that repeats
+// positions must be welded first (geometry/repair/weld.h). The edges are sorted and counted, which
+// takes O(n log n) for n triangles. The results are deterministic.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +15,14 @@
 namespace resect {
 
 struct Topology {
-  int boundaryEdges = 0;     // edges of an odd number of triangles: where the surface is open
-  int nonManifoldEdges = 0;  // edges of more than two triangles
-  // Each triangle uses its edges in one direction. This is the number of edges that are not used
-  // equally often in both directions. A boundary edge is counted only if the two numbers of uses
-  // differ by more than one.
+  // Number of edges that belong to an odd number of triangles. The surface is open there.
+  int boundaryEdges = 0;
+  int nonManifoldEdges = 0;  // number of edges that belong to more than two triangles
+  // Each triangle uses each of its edges in one direction. This field counts the edges that
+  // triangles do not use equally often in both directions. It counts a boundary edge only if the
+  // numbers of uses in the two directions differ by more than one.
   int unorientedEdges = 0;
-  int components = 0;                      // parts of the mesh that have no point in common
+  int components = 0;                      // number of parts that have no point in common
   std::optional<Vec3> firstBoundaryPoint;  // midpoint of the first boundary edge, m
 
   bool closed() const { return boundaryEdges == 0; }
@@ -31,13 +33,13 @@ struct Topology {
 // An empty mesh is closed, oriented and manifold, and has no component.
 Topology topology(const TriangleMesh& mesh);
 
-// For each point the number of its component. Components are numbered from 0 in the order of their
-// first points. Points that no triangle uses get -1. `count`, if given, receives the number of
-// components.
+// For each point: the number of the component that it belongs to. Components are numbered from 0,
+// in the order of their first points. A point that no triangle uses gets -1. If `count` is not
+// null, *count receives the number of components.
 std::vector<std::int32_t> pointComponents(const TriangleMesh& mesh, int* count = nullptr);
 
-// One mesh per component, in the order of pointComponents(). Within each mesh points and triangles
-// keep their order. Points that no triangle uses are dropped.
+// One mesh for each component, in the order of the numbers that pointComponents() gives. In each of
+// these meshes, points and triangles keep their order. Points that no triangle uses are dropped.
 std::vector<TriangleMesh> splitComponents(const TriangleMesh& mesh);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// Triangle meshes: points, and triangles that index them.
+// Triangle meshes. A mesh has points, and triangles of these points.
 #pragma once
 
 #include <array>
@@ -11,7 +11,8 @@
 
 namespace resect {
 
-using Triangle = std::array<std::int32_t, 3>;  // counter-clockwise seen from outside
+// Indices of the three corners, counter-clockwise as seen from outside.
+using Triangle = std::array<std::int32_t, 3>;
 
 struct TriangleMesh {
   std::vector<Vec3> points;         // m
@@ -25,15 +26,16 @@ struct TriangleMesh {
 
 Aabb bounds(const TriangleMesh& mesh);
 
-// Throws Error if a triangle has an index that no point has. Cost: a pass over the triangles.
+// Throws Error if a triangle refers to a point that does not exist. Cost: a pass over the
+// triangles.
 void requireTriangles(const TriangleMesh& mesh);
 // Does the same as requireTriangles(), and also throws Error if a point is not finite.
 void requireSound(const TriangleMesh& mesh);
 
-// The mesh with every point transformed by the pose.
+// The mesh with all its points transformed by the pose.
 TriangleMesh transformed(TriangleMesh mesh, const Pose& pose);
 
-// Appends b's points and triangles to a.
+// Appends the points and triangles of b to a.
 void append(TriangleMesh& a, const TriangleMesh& b);
 
 // Reverses the orientation of every triangle.

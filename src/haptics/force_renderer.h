@@ -1,14 +1,14 @@
-// Renders the force on the hand between two frames of the simulation. 1000 times a second, the
-// local model is evaluated at the present pose of the hand. The force does not jump when a new
-// model arrives.
+// Computes the force on the hand between two frames of the simulation. The local model is evaluated
+// at the present pose of the hand, 1000 times a second. When a new model arrives, the force does
+// not jump.
 #pragma once
 
 #include "haptics/local_model.h"
 
 namespace resect {
 
-// Pose and motion of the instrument that a hand holds, in the coordinates of the local model; m,
-// m/s and rad/s.
+// Pose (m), velocity (m/s) and spin (rad/s) of the instrument that a hand holds, in the coordinates
+// of the local model.
 struct HandState {
   Pose pose;
   Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();
@@ -16,35 +16,38 @@ struct HandState {
 
 struct Wrench {
   Vec3 force = Vec3::Zero();   // N
-  Vec3 torque = Vec3::Zero();  // about the position of the hand's pose, N m
+  Vec3 torque = Vec3::Zero();  // about HandState::pose.position, N m
 };
 
-// The force of the model on the instrument at the hand's pose, which may differ from the pose that
-// the instrument has in the simulation. Planes push and never pull, friction is limited by
-// Coulomb's law, and grips act in all directions. Allocates nothing.
+// The force that the model gives for the hand's pose. This pose may differ from the pose that the
+// instrument has in the simulation. Contact planes push and never pull. Coulomb's law limits
+// friction. Grips act in all directions. The function allocates no memory.
 Wrench forceAt(const LocalModel& model, const HandState& hand);
 
 class ForceRenderer {
  public:
-  // mostForce: N; a larger force is scaled down to it. Throws Error unless mostForce > 0.
+  // mostForce: largest force that render() returns, N. Larger forces are scaled down to it. Throws
+  // Error unless mostForce > 0.
   explicit ForceRenderer(double mostForce = 20);
 
-  // Takes over a new model. hand, now: the same as for the render() that follows. The force does
-  // not jump: its change fades in over the time between the arrivals of the last two models, but
-  // over at least 1 and at most 4 durations of a frame.
+  // Replaces the model by a new one. hand, now: as in the call of render() that follows. The force
+  // does not jump: it changes gradually to the force of the new model. The change takes as long as
+  // the time between the arrivals of the last two models, but at least 1 and at most 4 durations of
+  // a frame.
   void take(const LocalModel& model, const HandState& hand, double now);
-  // The force on the hand. now: time of a steady clock, s, not before the time of earlier calls.
+  // The force on the hand. now: time of a steady clock, s; must not decrease from call to call.
   Wrench render(const HandState& hand, double now) const;
 
   const LocalModel& model() const { return model_; }
-  // Magnitude of the difference between the forces, N, that the last two models give at the pose
-  // that the hand had when the last model arrived.
+  // How much the last take() changed the force of the model, N. It is the magnitude of the
+  // difference between the forces of the new and the previous model, both for the hand's pose at
+  // that moment.
   double correction() const { return correction_; }
 
  private:
   double mostForce_;
   LocalModel model_;
-  Wrench fading_;  // previous force minus new force when the model arrived
+  Wrench fading_;  // force before the last take() minus force of the new model, at that moment
   double taken_ = 0, fadeTime_ = 0, correction_ = 0;
 };
 

@@ -1,5 +1,5 @@
-// One cycle of the loop of 1 kHz for one hand: computes the force to write from the pose that was
-// read.
+// One cycle of the haptic loop (1 kHz) for one hand. It computes the force for the device from the
+// pose that was read.
 #pragma once
 
 #include "haptics/passivity_guard.h"
@@ -8,16 +8,17 @@ namespace resect {
 
 inline constexpr double kHapticPeriod = 1e-3;  // s
 
-// Allocates nothing. To be used by one thread only.
+// The functions allocate no memory. Only one thread may use an object of this class.
 class HandCycle {
  public:
-  // mostForce: largest force that the device renders, N, > 0. start: first pose of the hand, m; in
-  // the world or in the device's workspace, as all poses and local models that follow. now: time of
-  // a steady clock, s.
+  // mostForce: largest force that the device renders, N, > 0. start: first pose of the hand, m. It
+  // may be in coordinates of the world or of the device's workspace; all later poses and local
+  // models must have the same coordinates. now: time of a steady clock, s.
   HandCycle(double mostForce, const Pose& start, double now);
 
-  // pose: just read from the device. arrived: a local model that has arrived since the last cycle,
-  // or null. Returns the force, which is to be written at once.
+  // Runs one cycle and returns the force, which the caller must write to the device at once. pose:
+  // the pose that was just read from the device. arrived: a local model that has arrived since the
+  // last cycle; null if there is none.
   Wrench next(const Pose& pose, const LocalModel* arrived, double now);
 
   const ForceRenderer& renderer() const { return renderer_; }

@@ -1,7 +1,8 @@
-// A triple buffer: hands the newest value of one thread to another, without a lock.
+// A triple buffer passes the newest value from one thread to another without a lock.
 //
-// One thread writes, one other thread reads. Neither ever waits for the other, and the reader never
-// sees a value that is half written. Values that the reader was too slow to read are overwritten.
+// One thread, the writer, writes values. Another thread, the reader, reads them. Neither thread
+// ever waits for the other. The reader never sees a value that is only partly written. If the
+// writer is faster than the reader, the reader never sees some of the values.
 #pragma once
 
 #include <array>
@@ -13,9 +14,10 @@ namespace resect {
 template <typename T>
 class TripleBuffer {
  public:
-  // Writer: the value to fill before publish(). Until then it holds an older value.
+  // For the writer: a place for the next value. Fill it before you call publish(); at first it
+  // holds an older value.
   T& draft() { return slots_[writing_].value; }
-  // Writer: makes draft() the newest value.
+  // For the writer: makes the value in draft() the newest value.
   void publish() {
     writing_ =
         waiting_.exchange(std::uint8_t(writing_ | kFresh), std::memory_order_acq_rel) & kIndex;
@@ -25,14 +27,15 @@ class TripleBuffer {
     publish();
   }
 
-  // Reader: makes newest() the last value published. Returns whether the reader had not seen it
-  // yet.
+  // For the reader: makes newest() the value that was published last. Returns whether this value is
+  // new for the reader.
   bool update() {
     if (!(waiting_.load(std::memory_order_relaxed) & kFresh)) return false;
     reading_ = waiting_.exchange(reading_, std::memory_order_acq_rel) & kIndex;
     return true;
   }
-  // Reader: the value as of the last update(); before the first one a default value.
+  // For the reader: the newest value at the time of the last update(). Before the first update() it
+  // is a default value.
   const T& newest() const { return slots_[reading_].value; }
 
  private:
@@ -44,7 +47,8 @@ class TripleBuffer {
   std::array<Slot, 3> slots_;
   alignas(kCacheLine) std::uint8_t writing_ = 0;
   alignas(kCacheLine) std::uint8_t reading_ = 1;
-  // Index of the slot that neither thread uses; with kFresh if the reader has not seen its value.
+  // Index of the slot that neither thread uses. The bit kFresh is added if the reader has not seen
+  // the value in this slot.
   alignas(kCacheLine) std::atomic<std::uint8_t> waiting_ = 2;
 };
 

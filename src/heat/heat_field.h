@@ -1,22 +1,25 @@
-// The temperature of tissue round the places that were heated, and how far the tissue there is
+// The temperature of tissue round places that were heated, and how much of the tissue there is
 // coagulated, dried out and charred.
 //
-// The bioheat equation (Pennes 1948) is solved for the tissue at rest, on a lattice that does not
-// depend on the size of the organ's cells (T in degrees Celsius, written C below; source: heat
-// brought in, W/m^3; coagulated: share, 0 to 1; the other symbols are named at the constants
-// below):
+// The bioheat equation (Pennes 1948) is solved in rest space, on a lattice that does not depend on
+// the size of the organ's cells:
 //
 //     rho c dT/dt = k laplacian(T) - w rho_b c_b (1 - coagulated) (T - 37) + source
 //
-// Water boils at 100 C: as long as any is left, further heat makes steam and does not raise the
-// temperature. Coagulation is a first-order reaction. Its rate follows Eyring's law, with the
-// enthalpy and entropy that Jacques, Newman and He (1991) measured on pig liver. Dry tissue chars
-// above 150 C.
+// T is the temperature in degrees Celsius, which this header writes as C. `source` is the heat that
+// is brought in, W/m^3. `coagulated` is the coagulated fraction of the tissue, 0 to 1. The comments
+// at the constants below explain the other symbols.
 //
-// A cell of this lattice is stored (as HeatedSpot) while it is warm (at least 0.01 K above 37 C),
-// is beside a warm cell, or its tissue has changed by heat. Elsewhere the tissue is at 37 C and
-// unchanged. No heat flows through the tissue's surface. Single vessels do not cool the tissue; the
-// perfusion w stands for all of them.
+// Water boils at 100 C. As long as a cell contains water, more heat turns this water into steam and
+// does not raise the temperature. Coagulation is a first-order reaction. Its rate follows Eyring's
+// law, with the enthalpy and entropy that Jacques, Newman and He (1991) measured in pig liver. Dry
+// tissue chars above 150 C.
+//
+// A stored cell of this lattice is called a spot (HeatedSpot). A cell is stored if it is warm (at
+// least 0.01 K above 37 C), if it is beside a warm cell, or if heat has changed its tissue. In all
+// other cells the tissue is at 37 C and unchanged. No heat flows through the tissue's surface.
+// Single vessels do not cool the tissue; the perfusion w stands for the cooling by all vessels
+// together.
 #pragma once
 
 #include <cstdint>
@@ -28,23 +31,23 @@
 
 namespace resect {
 
-// Properties of liver after Duck 1990; the perfusion after Ebbini et al. 1988: 0.38 ml of blood per
-// ml of tissue and minute.
+// Body temperature, and properties of liver and blood. The perfusion is from Ebbini et al. 1988:
+// 0.38 ml of blood per minute and ml of tissue. The other properties are from Duck 1990.
 inline constexpr double kBodyTemperature = 37;         // C
 inline constexpr double kConductivity = 0.52;          // k, W/(m K)
-inline constexpr double kHeatCapacity = 1060 * 3600;   // rho c, J/(m^3 K)
+inline constexpr double kHeatCapacity = 1060 * 3600;   // rho c of tissue, J/(m^3 K)
 inline constexpr double kPerfusion = 6.4e-3;           // w, 1/s
-inline constexpr double kBloodCapacity = 1060 * 3640;  // rho_b c_b, J/(m^3 K)
+inline constexpr double kBloodCapacity = 1060 * 3640;  // rho_b c_b of blood, J/(m^3 K)
 
-// Rate of the coagulation reaction at a temperature in C, 1/s.
+// Rate of the coagulation reaction, 1/s. temperature: C.
 double coagulationRate(double temperature);
 
-// A cell of the heat lattice.
+// A cell of the heat lattice whose values are stored.
 struct HeatedSpot {
-  std::int64_t index = -1;                // in HeatField::lattice()
+  std::int64_t index = -1;                // index of the cell in HeatField::lattice()
   double temperature = kBodyTemperature;  // C
-  double water = 1;                       // share of the cell's water that is left, 0 to 1
-  double coagulated = 0, charred = 0;     // shares, 0 to 1
+  double water = 1;                       // fraction of the cell's water that is left, 0 to 1
+  double coagulated = 0, charred = 0;     // fractions of the cell's tissue, 0 to 1
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -56,41 +59,42 @@ struct HeatedSpot {
 // Heat that is brought into a ball of tissue during a frame.
 struct HeatSource {
   Vec3 place = Vec3::Zero();  // centre of the ball, in rest space, m
-  double radius = 0;          // of the ball, m
-  double power = 0;           // W
+  double radius = 0;          // radius of the ball, m
+  double power = 0;           // power of the source, W
 };
 
 class HeatField {
  public:
-  static constexpr double kSpacing = 0.0015;  // spacing of the heat lattice, m
+  static constexpr double kSpacing = 0.0015;  // side of a cell of the heat lattice, m
 
   HeatField() = default;
   // box: the bounding box of the organ at rest, m.
   explicit HeatField(const Aabb& box);
 
-  // Computes a frame. duration: of the frame, s. isTissue: whether there is tissue at a point,
-  // given in the coordinates of the organ at rest (rest space). Cost: proportional to the number of
-  // spots; nothing if no spot is warm and there is no source.
+  // Computes a frame. duration: duration of the frame, s. isTissue: says whether there is tissue at
+  // a point in rest space. If there is no source and no spot is warm, the function changes no spot.
+  // Cost: proportional to the number of spots.
   void step(std::span<const HeatSource> sources, double duration,
             const std::function<bool(const Vec3&)>& isTissue);
 
-  // Drops the spots at which there is no tissue any more.
+  // Drops the spots at which there is no tissue. isTissue: as in step().
   void keepIn(const std::function<bool(const Vec3&)>& isTissue);
 
-  // Values at a point in rest space, interpolated between the 8 nearest lattice points.
+  // Temperature (C), coagulated fraction and charred fraction at a point in rest space. They are
+  // interpolated between the centres of the 8 nearest cells.
   double temperature(const Vec3& place) const;
   double coagulated(const Vec3& place) const;
   double charred(const Vec3& place) const;
 
   const Lattice& lattice() const { return lattice_; }
-  std::span<const HeatedSpot> spots() const { return spots_; }  // by ascending index
+  std::span<const HeatedSpot> spots() const { return spots_; }  // in ascending order of `index`
   bool empty() const { return spots_.empty(); }
-  // Whether the coagulated or charred share of any spot has grown in the last step().
+  // Whether the coagulated or charred fraction of any spot has grown noticeably in the last step().
   bool changed() const { return changed_; }
   // Water that became steam in the last step(), kg.
   double steam() const { return steam_; }
-  // The heat that all spots hold beyond 37 C, and the latent heat of the water that has become
-  // steam, J.
+  // Energy of all spots together, J. It is the heat that they hold beyond 37 C, plus the latent
+  // heat of the water that has become steam.
   double energy() const;
 
   template <class Visitor>
@@ -101,8 +105,8 @@ class HeatField {
   void visitMade(Visitor& v) {
     v.made(lattice_, changed_, steam_, added_, flux_);
   }
-  // Throws Error unless the loaded spots are cells of the lattice, in ascending order, with finite
-  // temperatures.
+  // For spots that were loaded from a saved state. Throws Error unless they are cells of the
+  // lattice, in ascending order of `index`, with finite temperatures.
   void requireSound() const;
 
  private:
@@ -120,8 +124,8 @@ class HeatField {
   Lattice lattice_;
   bool changed_ = false;
   double steam_ = 0;
-  std::vector<std::int64_t> added_;  // temporary, of step()
-  std::vector<double> flux_;         // temporary, of step(): heat flow into each spot, W
+  std::vector<std::int64_t> added_;  // work space of step(): indices of cells
+  std::vector<double> flux_;         // work space of step(): heat flow into each spot, W
 };
 
 }  // namespace resect

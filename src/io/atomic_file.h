@@ -1,4 +1,4 @@
-// Writes outputs: a reader of a file sees either the old file or the complete new one.
+// Writes files atomically: a reader sees either the old file or the complete new file.
 #pragma once
 
 #include <filesystem>
@@ -7,12 +7,13 @@
 
 namespace resect {
 
-// Lets `write` fill a temporary file beside `path`, flushes that file to the disk and renames it to
-// `path`. Creates missing folders. If something fails, the temporary file is removed, and an
-// earlier file at `path` does not change. If writing fails, for example because the disk is full,
-// throws an Error that says so. Exceptions that `write` throws are passed on. If `path` is a
-// symbolic link, the link stays and the file to which it leads is replaced. If `path` is a device,
-// a named pipe or /dev/stdout (io/output/output_target.h), `write` writes directly into it.
+// Creates a temporary file beside `path`, calls `write` to fill it, flushes it to the disk, and
+// renames it to `path`. Creates missing folders. If writing fails, for example because the disk is
+// full, throws an Error that says why. Exceptions that `write` throws are passed on. In both cases
+// the temporary file is removed, and an earlier file at `path` stays as it was. If `path` is a
+// symbolic link, the file to which the link leads is replaced, and the link stays. If `path` is a
+// device, a named pipe or /dev/stdout (io/output/output_target.h), there is no temporary file:
+// `write` writes directly into the device, pipe or standard output.
 void writeFileAtomically(const std::filesystem::path& path,
                          const std::function<void(std::ostream&)>& write);
 

@@ -14,35 +14,40 @@
 
 namespace resect {
 
-// Whether the file is a label image or a scan, judged by its name. DICOM files often have no
-// extension, so they are recognised by their first bytes. The rest of the content is not checked.
+// Whether the file is a label image or a scan. It counts as an image if its name has the extension
+// of an image format. DICOM files often have no extension. So a file with another extension, or
+// with none, counts as an image if its first bytes are those of DICOM. Nothing else of the content
+// is checked.
 bool isImageFile(const std::filesystem::path& path);
 
-// kind: one for which isImage() is true. bytes: content of the file, decompressed.
+// kind: must be a kind of image (isImage() in formats/model_kind.h). bytes: content of the file,
+// decompressed. beside: the files that the image refers to.
 LabelImage readLabelImage(ModelKind kind, const std::string& path, std::string_view bytes,
                           const BesideFiles& beside = {});
 
-// What an image holds, without its voxels.
+// Facts about a label image, without its voxels.
 struct LabelFacts {
-  std::string description;  // description() of the image
-  double voxelVolume = 0;   // m^3
+  std::string description;  // result of description() (formats/images/label_image.h)
+  double voxelVolume = 0;   // volume of one voxel, m^3
   std::vector<ImageLabel> labels;
-  // Whether the names in `labels` are guesses: if an image has more than 20 labels, none with a
-  // name and none with a number that TotalSegmentator does not use, its names are taken.
+  // Whether the names in `labels` are guesses. They are if the image has more than 20 labels, no
+  // label has a name, and TotalSegmentator has a name for each number. Each label then gets this
+  // name.
   bool guessed = false;
-  std::vector<bool> cutOff;  // for each label: whether it reaches the border of the image
+  std::vector<bool> cutOff;  // for each label: whether its voxels reach the image's border
 
   double volume(std::size_t label) const { return double(labels[label].voxels) * voxelVolume; }
 };
 
 LabelFacts factsOf(const std::string& path, const LabelImage& image);
 
-// Reads the image in a sandboxed child process, calls `work` there, and returns what it returns.
+// Reads the image in a sandboxed child process, calls `work` there, and returns the result of
+// `work`.
 std::string inImageReader(const std::filesystem::path& path, const Progress& progress,
                           const std::function<std::string(const LabelImage&)>& work);
 
-// Reads the file in a sandboxed child process. A single label without a name gets the name of the
-// file, without folder and extension.
+// Reads the file in a sandboxed child process. If the image has only one label and this label has
+// no name, the label gets the name of the file, without folder and extension.
 LabelFacts readLabelFacts(const std::filesystem::path& path, const Progress& progress = {});
 
 }  // namespace resect

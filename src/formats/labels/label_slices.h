@@ -11,25 +11,31 @@ namespace resect {
 
 // Where slices lie, in the image's coordinates, m.
 struct SliceFrame {
-  Vec3 centre = Vec3::Zero();  // the middle of each picture is this point, projected onto the slice
+  // The projection of `centre` onto a slice is the middle of the slice's picture.
+  Vec3 centre = Vec3::Zero();
   Vec3 middle = Vec3::Zero();  // the point in which the three slices meet
-  double side = 0;             // width and height of each picture; 0: nothing is labelled
+  double side = 0;             // width and height of each picture; 0 if no voxel is labelled
 };
 
-// The slices pass through the centroid of the parenchyma, or of the largest label if no name means
-// parenchyma. Each slice is large enough to contain all labels.
+// The slices pass through the centroid of the parenchyma. If no label has a name that means
+// parenchyma, they pass through the centroid of the largest label. Each slice is large enough to
+// contain all labels.
 SliceFrame sliceFrame(const LabelImage& image);
 
-// Draws the slices beside each other: axial seen from below (the patient's right is on the left),
-// coronal seen from the front, and sagittal seen from the patient's left. height: pixels, > 0. Each
-// kind of structure (anatomy/structure_kind.h) has a fixed colour; every other label has a colour
-// of its own. Unlabelled voxels are black. name: decides the colour of labels without a name.
+// Draws the three slices side by side. The first slice is axial and seen from below, so the
+// patient's right is on the left. The second slice is coronal and seen from the front. The third
+// slice is sagittal and seen from the patient's left. height: height of the picture, pixels, > 0.
+// The name of a label tells the kind of its structure (anatomy/structure_kind.h), and each kind has
+// a fixed colour. If the name tells no kind, the colour depends on the label's place in
+// image.labels. name: stands in for the name of a label without a name. Unlabelled voxels are
+// black.
 RgbImage labelSlices(const LabelImage& image, const SliceFrame& frame, int height,
                      const std::string& name = {});
 
-// The same for several files in the same coordinates, in the SliceFrame of the first one. Later
-// files are drawn over earlier ones. A sandboxed child process reads each file. The result is empty
-// if nothing is labelled in the first file.
+// Draws the slices of several files, which must have the same coordinates, into one picture. All
+// files are drawn in the SliceFrame of the first file. Later files are drawn over earlier files. A
+// sandboxed child process reads each file. The picture is empty if no voxel of the first file is
+// labelled.
 RgbImage readLabelSlices(const std::vector<std::string>& files, int height);
 
 }  // namespace resect

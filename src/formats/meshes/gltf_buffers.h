@@ -7,15 +7,16 @@
 
 namespace resect {
 
-// Both functions look only at the name's extension, in upper or lower case. Buffers have the
-// extension .bin, .glbin or .glbuf (glTF 2.0, "Implementation Note").
+// Both functions look only at the extension of the name, which may be in upper or lower case.
+// Buffer files have the extension .bin, .glbin or .glbuf (glTF 2.0, "Implementation Note").
 bool isGltf(const std::filesystem::path& name);
 bool isGltfBuffer(const std::filesystem::path& name);
 
-// Decodes percent codes: "my%20buffer.bin" becomes "my buffer.bin" (RFC 3986, 2.1).
+// The text with its percent codes decoded (RFC 3986, section 2.1): "my%20buffer.bin" becomes "my
+// buffer.bin".
 std::string withoutPercents(std::string_view text);
 
-// Throws Error, about the model at `path`, unless isGltfBuffer(name).
+// Throws an Error about the model at `path` unless isGltfBuffer(name) is true.
 void requireGltfBuffer(const std::string& path, const std::string& name);
 
 }  // namespace resect

@@ -1,7 +1,8 @@
 // Reads .glb and .gltf files (glTF 2.0).
 //
-// The Open Asset Import Library (assimp) does the reading, in single precision. For untrusted files
-// call readModel() (inventor/reading/model_file.h) instead, which reads in a child process.
+// The Open Asset Import Library (assimp) reads the numbers, in single precision. For untrusted
+// files call readModel() (inventor/reading/model_file.h) instead: it reads them in a sandboxed
+// child process.
 #pragma once
 
 #include <string>
@@ -13,11 +14,13 @@
 
 namespace resect {
 
-// The parts of the result are the file's nodes, in the order of the file, with transforms applied.
-// Polygons become triangles; points and lines are left out. Numbers are taken as metres. `bytes`:
-// content of the file, decompressed. `path`: for messages only. Opens no file. Throws Error if the
-// file requires an extension that changes shapes and is not supported
-// (formats/meshes/gltf_requirements.h); LacksFile if it needs a buffer that is not in `beside`.
+// Each node of the file becomes a part of the model, in the order of the file. The transforms of
+// the nodes are applied. Polygons become triangles. Points and lines are left out. Coordinates are
+// taken as metres. path: for messages only; no file is opened. bytes: content of the file,
+// decompressed. beside: contents of the buffer files that the file refers to. Throws Error if the
+// file is damaged, or if it requires an extension that is not supported
+// (formats/meshes/gltf_requirements.h). Throws LacksFile (formats/beside_files.h) if the file needs
+// a buffer file that is not in `beside`.
 Model readGltfFile(const std::string& path, std::string_view bytes, const BesideFiles& beside = {});
 
 }  // namespace resect

@@ -10,11 +10,12 @@
 
 namespace resect {
 
-// The model has one part per object (o) or group (g) name. The name is the whole rest of the line,
-// spaces included. A line o or g begins the next part; g without a name returns to the part of the
-// object. Polygons become triangles; points, lines, free-form curves and materials are left out.
-// Numbers are taken as metres. Keywords may be in capitals. Throws Error if a vertex or a face is
-// incomplete, or if a face uses a point that does not exist.
+// A line with the keyword `o` names an object, and a line with the keyword `g` names a group. The
+// name is the rest of the line and may contain spaces. Each face belongs to the part with the name
+// that was given last. If a line `g` has no name, the name of the object holds again. Faces under
+// equal names belong to one part. Polygons become triangles. Points, lines, free-form curves and
+// materials are left out. Coordinates are taken as metres. Keywords may be in upper or lower case.
+// Throws Error if a vertex or a face is incomplete, or if a face uses a point that does not exist.
 Model readObjFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect

@@ -10,13 +10,14 @@
 
 namespace resect {
 
-// Whether the first word is that of a .off file: OFF, which may be preceded by letters for further
-// values of the points, as in COFF.
+// Whether the first word of the bytes is OFF, as in a .off file. Letters before OFF may name
+// further values of the points: COFF means that the points have colours.
 bool startsAsOff(std::string_view bytes);
 
-// The model has one part, without a name. Each point and each face has a line of its own. The rest
-// of that line (normals, colours) is ignored. Numbers are taken as metres. Throws Error if the file
-// ends early, is binary, or has points of four or more dimensions.
+// The model has one part, without a name. Each point and each face of the file is on a line of its
+// own. What follows the coordinates or the corners on the line (normals, colours) is ignored.
+// Coordinates are taken as metres. Throws Error if the file ends early, if it is binary, or if its
+// points have four or more dimensions.
 Model readOffFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect

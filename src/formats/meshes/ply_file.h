@@ -1,4 +1,4 @@
-// Reads .ply files (Stanford polygon files), as text and as binary of both byte orders.
+// Reads .ply files (Stanford polygon files). They may be text, or binary in either byte order.
 //
 // Source: "The PLY Polygon File Format" (Greg Turk, Stanford, 1994).
 #pragma once
@@ -13,10 +13,12 @@ namespace resect {
 // Whether the bytes begin as a .ply file does.
 bool startsAsPly(std::string_view bytes);
 
-// The model has one part, without a name, from the elements `vertex` (x, y, z) and `face` or
-// `tristrips` (vertex_indices or vertex_index), which may come in any order. All other elements and
-// properties, and any bytes after the last element, are skipped. Numbers are taken as metres.
-// Throws Error if the header is damaged, if the file ends early, or if it has points only.
+// The model has one part, without a name. The points come from the properties x, y and z of the
+// element `vertex`. The faces come from the list vertex_indices or vertex_index of the element
+// `face`, and strips of triangles from the same list of the element `tristrips`. The elements may
+// come in any order. All other elements and properties are skipped, and so are bytes after the last
+// element. Coordinates are taken as metres. Throws Error if the header is damaged, if the file ends
+// early, or if the file has points but no faces.
 Model readPlyFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect

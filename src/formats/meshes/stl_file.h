@@ -10,15 +10,16 @@
 
 namespace resect {
 
-// Whether the bytes can only be a binary STL: the file has exactly the size that its count of
-// triangles implies.
+// Whether the number of bytes is exactly that of a binary STL with the number of triangles in the
+// header. Then the file cannot be text.
 bool isExactBinaryStl(std::string_view bytes);
-// Whether the bytes begin like a text STL: "solid" in upper or lower case.
+// Whether the bytes begin with "solid", in upper or lower case, as a text STL does.
 bool startsAsTextStl(std::string_view bytes);
 
-// A text file gives one part per solid, with the solid's name; solids with the same name are one
-// part. A binary file gives one part without a name. Numbers are taken as metres. Bytes after the
-// last triangle of a binary file are ignored. Throws Error if the file ends early.
+// If the file is text, the model has one part for each name of a solid. Solids with equal names
+// become one part. If the file is binary, the model has one part, without a name, and bytes after
+// the last triangle are ignored. Coordinates are taken as metres. Throws Error if the file ends
+// early.
 Model readStlFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect

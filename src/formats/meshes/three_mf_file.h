@@ -1,8 +1,9 @@
-// Reads .3mf files (3D Manufacturing Format, core specification 1.3), which programs for 3D
-// printing write.
+// Reads .3mf files (3D Manufacturing Format, core specification 1.3). Programs for 3D printing
+// write such files.
 //
-// The Open Asset Import Library (assimp) does the reading, in single precision. For untrusted files
-// call readModel() (inventor/reading/model_file.h) instead, which reads in a child process.
+// The Open Asset Import Library (assimp) reads the numbers, in single precision. For untrusted
+// files call readModel() (inventor/reading/model_file.h) instead: it reads them in a sandboxed
+// child process.
 #pragma once
 
 #include <string>
@@ -15,10 +16,11 @@ namespace resect {
 // Whether the bytes are a ZIP archive that holds a 3D model, as a .3mf file does.
 bool isThreeMf(std::string_view bytes);
 
-// The parts of the result are the objects that the file builds, with transforms applied, converted
-// to metres from the unit that the file names, or from millimetres if it names none. bytes: content
-// of the file. path: for messages only. Throws Error if the file requires an extension other than
-// that of materials, since such an extension may change the shape.
+// Each object that the file builds becomes a part of the model. The transforms of the objects are
+// applied. Coordinates are converted to metres. If the file names no unit, its coordinates are
+// taken as millimetres. path: for messages only. bytes: content of the file. Throws Error if the
+// file is damaged. Also throws Error if the file requires an extension other than the extension for
+// materials, since it may change the shape.
 Model readThreeMfFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect

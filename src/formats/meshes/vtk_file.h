@@ -1,8 +1,10 @@
-// Reads legacy VTK files of polygons.
+// Reads legacy VTK files that contain polygons.
 //
-// Source: "VTK File Formats" (Kitware, VTK User's Guide). Reads versions 1.0 to 5.1, as text or as
-// big-endian binary. Reads POINTS, POLYGONS and TRIANGLE_STRIPS of DATASET POLYDATA. Skips
-// vertices, lines and all attributes.
+// The files may have version 1.0 to 5.1, and may be text or big-endian binary. The sections POINTS,
+// POLYGONS and TRIANGLE_STRIPS of DATASET POLYDATA are read. Vertices, lines and all attributes are
+// skipped.
+//
+// Source: "VTK File Formats" (Kitware, VTK User's Guide).
 #pragma once
 
 #include <string>
@@ -15,8 +17,8 @@ namespace resect {
 // Whether the bytes begin as a legacy VTK file does.
 bool isVtkFile(std::string_view bytes);
 
-// The model has one part, without a name. Numbers are taken as metres. Every count and index is
-// checked. Throws Error, which names the section of the file, if one is wrong.
+// The model has one part, without a name. Coordinates are taken as metres. If a count or an index
+// is wrong, throws an Error that names the section of the file.
 Model readVtkFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// Winding numbers of points. For each point a ray along +X is cast, and its crossings with a closed
-// mesh are counted.
+// Computes winding numbers of points. From each point a ray is cast along +X, and the ray's
+// crossings with a closed mesh are counted.
 #pragma once
 
 #include <span>
@@ -9,12 +9,13 @@
 
 namespace resect {
 
-// For each point: the number of times that the ray leaves the mesh, minus the number of times that
-// it enters. The mesh must be closed and oriented. The result is 1 inside a body, 0 outside, and -1
-// inside a body whose normals point inwards. A crossing at an edge or a corner counts once, since
-// edges are half-open and the two triangles at an edge evaluate that edge alike. A point on the
-// surface gets the number of one of the two sides. Cost: O(triangles) to sort the triangles into
-// slabs along Z, then about sqrt(triangles) per point.
+// For each point: the number of times that its ray leaves the mesh, minus the number of times that
+// its ray enters the mesh. The mesh must be closed and oriented. The result is 1 inside a body, 0
+// outside, and -1 inside a body whose normals point inwards. If a ray crosses the mesh at an edge
+// or a corner, this counts as one crossing: each edge contains only its lower end, and both
+// triangles at an edge compute the test of this edge in the same way. A point on the surface gets
+// the number of one of the two sides. Cost for n triangles: O(n) to sort the triangles into slabs
+// along Z, and then about sqrt(n) for each point.
 std::vector<int> crossingNumbers(const TriangleMesh& mesh, std::span<const Vec3> points);
 
 }  // namespace resect

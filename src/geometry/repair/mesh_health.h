@@ -1,4 +1,5 @@
-// Examines whether a mesh can be the surface of an organ, and if not, what is wrong with it.
+// Examines whether a mesh can be the surface of an organ. If it cannot, the result shows what is
+// wrong with the mesh.
 #pragma once
 
 #include <optional>
@@ -12,20 +13,21 @@ namespace resect {
 struct MeshHealth {
   int triangles = 0, points = 0;
   double area = 0;     // m^2
-  double volume = 0;   // m^3, signed, see volume() in measures.h
+  double volume = 0;   // m^3, signed (volume() in geometry/measures.h)
   Aabb bounds;         // m
-  int components = 0;  // parts that have no point in common
-  int specks = 0;      // components with isSpeck(); 0 unless closed and oriented
+  int components = 0;  // number of parts that have no point in common
+  int specks = 0;      // number of specks (isSpeck()); 0 unless closed and oriented
   bool closed = false;
   bool oriented = false;
-  bool insideOut = false;    // closed and oriented, but an outermost component faces inwards
-  int boundaryEdges = 0;     // edges of an odd number of triangles
-  int nonManifoldEdges = 0;  // edges of more than two triangles
+  // The mesh is closed and oriented, but a component that lies inside no other faces inwards.
+  bool insideOut = false;
+  int boundaryEdges = 0;     // number of edges that belong to an odd number of triangles
+  int nonManifoldEdges = 0;  // number of edges that belong to more than two triangles
   std::optional<Vec3> firstBoundaryPoint;  // midpoint of the first boundary edge, m
 };
 
-// Examines a welded mesh without changing it. O(n log n) if its bodies are disjoint or nested. An
-// empty mesh has no component and does not count as closed.
+// Examines a welded mesh. An empty mesh has no component and does not count as closed. Cost: O(n
+// log n) for n triangles if the components are disjoint or nested.
 MeshHealth examine(const TriangleMesh& mesh);
 // The same for a caller that has already computed the topology of the mesh.
 MeshHealth examine(const TriangleMesh& mesh, const Topology& topology);
@@ -35,8 +37,8 @@ MeshHealth examine(const TriangleMesh& mesh, const Topology& topology);
 bool isSpeck(const TriangleMesh& component);
 
 // For each closed component: the number of the outermost component that contains it, or its own
-// number if no component does. A component counts as inside another one if at least three of five
-// tested points of it are inside (crossings.h).
+// number if no component contains it. Component A counts as inside component B if at least three of
+// five tested points of A are inside B (geometry/repair/crossings.h).
 std::vector<int> outermostOf(const std::vector<TriangleMesh>& components);
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// Runs a scenario in real time with its instruments held by haptic devices, and measures the forces
-// on the hands and the timing.
+// Runs a scenario in real time while haptic devices hold its instruments. Measures the forces on
+// the hands, and how late cycles and frames are.
 #pragma once
 
 #include <functional>
@@ -21,40 +21,44 @@ struct HandReport {
   double peakForce = 0;      // N
   double peakStiffness = 0;  // largest stiffness of a local model in any direction, N/m
   double largestStep = 0;    // largest change of the force from one cycle to the next, N
-  double correction = 0;     // rms of ForceRenderer::correction() over all new local models, N
-  double energy = 0;         // work on the hand over the run, J; below 0: the hand gave energy
-  double mostEnergy = 0;     // largest value of that work at any time, J
+  double correction = 0;     // rms of all ForceRenderer::correction() above 0, N
+  double energy = 0;         // work on the hand in the run, J; below 0: the hand gave energy
+  double mostEnergy = 0;     // largest value of this work during the run, J, >= 0
   std::int64_t guarded = 0;  // cycles in which the passivity guard reduced the force
 };
 
 struct HapticsReport {
-  double seconds = 0;                   // duration of the run
-  std::int64_t cycles = 0, missed = 0;  // of the loop, as in HapticTimes
-  double p50 = 0, p99 = 0, latest = 0;  // how late cycles began, s: quantiles; maximum
+  double seconds = 0;                   // duration of the run, s
+  std::int64_t cycles = 0, missed = 0;  // as in HapticTimes (haptics/loop/haptic_loop.h)
+  // Lateness of the starts of cycles, s: median, 99th percentile and maximum.
+  double p50 = 0, p99 = 0, latest = 0;
   RealTimeRights rights;
-  std::int64_t frames = 0;      // computed by the simulation
-  std::int64_t lateFrames = 0;  // frames whose computation took longer than frameDuration
-  double frameDuration = 0;     // s
-  TimeSummary frame;            // computing time of a frame and its local models
+  std::int64_t frames = 0;      // number of frames that the simulation has computed
+  std::int64_t lateFrames = 0;  // number of frames that took longer than frameDuration
+  double frameDuration = 0;     // simulated time of a frame, s
+  TimeSummary frame;            // computing times of frames, with their local models
   std::vector<HandReport> hands;
 
-  // Share of the cycles that met their deadline, 0 to 1.
+  // Fraction of the cycles that met their deadline, 0 to 1.
   double met() const { return cycles > 0 ? double(cycles - missed) / double(cycles) : 0; }
 };
 
 struct HapticsSetup {
-  double seconds = 60;  // duration of the run, 1 to 3600
+  double seconds = 60;  // duration of the run, s, 1 to 3600
   std::string options;  // text for the plug-in
-  std::string tool;     // the only instrument held by a device; "": all that the scenario moves
+  // Name of the only instrument that a device holds. If it is empty, devices hold all instruments
+  // that the scenario moves.
+  std::string tool;
 };
 
 // The scenario's motions are repeated until setup.seconds have passed. Each repetition begins with
-// the simulation's initial state. A device that plays a person (HapticDevice::plays()) is told the
-// pose that the instrument has in the scenario, in world coordinates. With other devices a person
-// moves the instrument: the origin of the device's workspace is at the position of the instrument
-// at the first key of its motion (ToolKey). `progress` gets the elapsed share of the time, 0 to 1.
-// Throws Error if the scenario does not move setup.tool, or moves no instrument, or if a device
-// fails.
+// the simulation's initial state. A device that plays a person (HapticDevice::plays()) gets the
+// pose that the instrument should have in the scenario, in world coordinates. With any other device
+// a person moves the instrument. The origin of such a device's workspace is at the position that
+// the instrument has at the first key of its motion (ToolKey in operation/scenario.h). `progress`
+// gets the fraction of the time that has passed, 0 to 1. Throws Error if a device fails. Also
+// throws Error if the scenario does not move the instrument setup.tool. If setup.tool is empty,
+// throws Error if the scenario moves no instrument.
 HapticsReport benchHaptics(Simulation& simulation, const Scenario& scenario,
                            const HapticPlugin& plugin, const HapticsSetup& setup,
                            const std::function<void(double)>& progress = {});

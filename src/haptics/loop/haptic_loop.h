@@ -1,9 +1,10 @@
-// The loop of 1 kHz between hands and simulation, on a thread of its own.
+// The haptic loop: it runs at 1 kHz between hands and simulation, on a thread of its own.
 //
-// In each cycle, and for each hand, the loop reads the pose, evaluates the newest local model
-// there, limits the force by the passivity guard, and writes it to the device. Models and poses are
-// exchanged with the simulation through triple buffers, so neither side waits for the other. The
-// loop keeps its pace while the simulation is slow, or has stopped.
+// In each cycle the loop does the following for each hand. It reads the hand's pose from the
+// device, and evaluates the newest local model at this pose. A passivity guard limits the resulting
+// force, and the loop writes the limited force to the device. Models and poses are exchanged with
+// the simulation through triple buffers. So the loop never waits for the simulation, and keeps its
+// rate even if the simulation is slow or has stopped.
 #pragma once
 
 #include <atomic>
@@ -22,47 +23,49 @@ namespace resect {
 
 // Results of one cycle for one hand.
 struct HapticSample {
-  float time = 0;               // since the start of the loop, s
-  Vec3f force = Vec3f::Zero();  // written to the device, N
-  float correction = 0;         // ForceRenderer::correction() if a model has arrived, N; else 0
-  bool still = false;           // HandIntent::still; false without an intent
+  float time = 0;               // time since the start of the loop, s
+  Vec3f force = Vec3f::Zero();  // force that was written to the device, N
+  float correction = 0;         // ForceRenderer::correction(), N; 0 if no model has arrived
+  bool still = false;           // HandIntent::still; false if there is no HandIntent
 };
 
 // Results of a loop that has ended.
 struct HapticTimes {
   std::int64_t cycles = 0;      // number of cycles that were due
-  std::int64_t missed = 0;      // of these: left out, or not finished 1 ms after they were due
-  std::vector<float> lateness;  // how late each cycle began, s
+  std::int64_t missed = 0;      // cycles that were left out, or that missed their deadline
+  std::vector<float> lateness;  // lateness of the start of each cycle that was run, s
   RealTimeRights rights;
 };
 
-// What the hand is to do; for devices that play a person.
+// What a hand is to do. Only devices that play a person use this (HapticDevice::plays()).
 struct HandIntent {
   Pose pose;           // wanted pose of the instrument, in the device's coordinates
-  bool still = false;  // the hand is to hold the instrument still
+  bool still = false;  // whether the hand is to hold the instrument still
 };
-// hand: number of the hand, from 0. time: since the start of the loop, s.
+// hand: number of the hand, from 0. time: time since the start of the loop, s.
 using IntentAt = std::function<HandIntent(std::size_t hand, double time)>;
 
 class HapticLoop {
  public:
-  // Starts the loop. When the constructor returns, pose() of each hand is valid. devices: one per
-  // hand. seconds: duration for which samples are kept; their memory is allocated here. Later
-  // cycles keep no samples. intent: may be empty. It is called once per hand here, and then on the
-  // loop's thread, where it must not allocate.
+  // Starts the loop. When the constructor returns, pose() of each hand is valid. devices: one
+  // device per hand. seconds: time in which the loop keeps samples, s; later samples are dropped.
+  // The constructor allocates the memory for these samples. intent: may be empty. The constructor
+  // calls `intent` once for each hand. After that the loop's thread calls `intent`, and then
+  // `intent` must not allocate memory.
   HapticLoop(std::vector<std::unique_ptr<HapticDevice>> devices, double seconds, IntentAt intent);
-  ~HapticLoop();  // stops, writes zero forces and waits for the thread
+  ~HapticLoop();  // stops the loop, which writes forces of zero, and waits for its thread
 
-  // For the simulation's thread. pose(): the hand's newest pose, in the device's coordinates.
-  // give(): hands a new model, in the same coordinates, to the loop.
+  // Only the simulation's thread may call these two functions. pose() returns the hand's newest
+  // pose, in the device's coordinates. give() passes a new local model to the loop; the model must
+  // be in the device's coordinates, too.
   const Pose& pose(std::size_t hand);
   void give(std::size_t hand, const LocalModel& model);
-  double time() const;  // since the start of the loop, s
+  double time() const;  // time since the start of the loop, s
   // If the loop has ended with an Error, throws that Error.
   void check();
 
-  // Stops the loop; after that its results may be read. If the loop has ended with an Error, throws
-  // that Error.
+  // Stops the loop. After that, the results of the functions below may be read. If the loop has
+  // ended with an Error, throws that Error.
   void stop();
   const HapticTimes& times() const { return times_; }
   const std::vector<HapticSample>& samples(std::size_t hand) const;

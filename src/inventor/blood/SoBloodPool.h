@@ -1,5 +1,6 @@
-// Inventor node that passes the blood on the table to the shaders of the nodes after it
-// (data/shaders/cloth.frag). In .iv files: `BloodPool {}`, which has no blood.
+// Inventor node that tells shaders where blood lies on the table. The shaders are those of the
+// nodes that come after this node, such as data/shaders/cloth.frag. In .iv files the node is
+// written `BloodPool {}`, and then has no blood.
 #pragma once
 
 #include <Inventor/fields/SoSFInt32.h>
@@ -13,7 +14,7 @@
 
 namespace resect {
 
-inline constexpr int kPoolUnit = 2;  // texture unit
+inline constexpr int kPoolUnit = 2;  // texture unit of the blood's depths
 
 class SoBloodPool : public SoNode {
   SO_NODE_HEADER(SoBloodPool);
@@ -22,10 +23,10 @@ class SoBloodPool : public SoNode {
   static void initClass();
   SoBloodPool();
 
-  SoSFInt32 revision;  // number of changes so far; set() writes it
+  SoSFInt32 revision;  // number of changes so far; set() updates it
 
-  // Sets the depths of the blood on a square of 1 m round the origin: n * n bytes, x fastest; 255
-  // stands for 5 mm. Empty: no blood.
+  // Sets the depths of the blood on a square of 1 m x 1 m, whose middle is the origin. depths: n *
+  // n bytes, x fastest. The value 255 stands for 5 mm. If `depths` is empty, there is no blood.
   void set(std::vector<std::uint8_t> depths);
 
  protected:

@@ -1,5 +1,6 @@
-// Inventor engine for marching cubes, as in the original thesis. Its inputs are values on a grid.
-// Its outputs are a surface, which is made anew whenever an input changes.
+// Inventor engine for marching cubes, as in the original thesis. The inputs of the engine are
+// values at the nodes of a grid. The outputs of the engine are a surface. The engine makes the
+// surface anew whenever an input changes.
 //
 //     OrganShape {
 //       points     = DEF SURFACE MarchingCubes { dims 20 20 20  value [ ... ]  iso 50 } . points
@@ -8,7 +9,7 @@
 //     }
 //
 // Every change costs a pass over the whole grid. For an organ in an operation use SurfaceTracker
-// (surface/surface_tracker.h), which updates only the part of the grid round a change. Source:
+// (surface/surface_tracker.h) instead, which updates the surface only round a change. Source:
 // Lorensen and Cline 1987.
 #pragma once
 
@@ -31,19 +32,20 @@ class SoMarchingCubes : public SoEngine {
   static void initClass();
   SoMarchingCubes();
 
-  // Number of nodes along x, y and z. The surface is empty if one of the numbers is below 2, or if
+  // Numbers of nodes along x, y and z. The surface is empty if one of the numbers is below 2, or if
   // there are more than 512^3 nodes in all.
   SoSFVec3s dims;
-  SoMFFloat value;  // one per node, x fastest; missing values are 0, surplus values are ignored
-  SoSFVec3f min;    // position of the first node
-  SoSFVec3f max;    // position of the last node
-  // A node is inside if its value >= iso. The surface is open where inside nodes lie on the border
-  // of the grid.
+  // One value per node, x fastest. Missing values count as 0, and surplus values are ignored.
+  SoMFFloat value;
+  SoSFVec3f min;  // position of the first node
+  SoSFVec3f max;  // position of the last node
+  // The iso level: a node is inside if its value is at least `iso`. The surface is open where
+  // inside nodes lie on the border of the grid.
   SoSFFloat iso;
 
-  SoEngineOutput points;         // SoMFVec3f; adjacent triangles share their points
-  SoEngineOutput normals;        // SoMFVec3f; per point: unit, towards falling values, so outwards
-  SoEngineOutput coordIndex;     // SoMFInt32, as in IndexedFaceSet: three indices, then -1
+  SoEngineOutput points;         // SoMFVec3f; neighbouring triangles share points
+  SoEngineOutput normals;        // SoMFVec3f; for each point a unit normal, which faces outwards
+  SoEngineOutput coordIndex;     // SoMFInt32; for each triangle three indices of points, then -1
   SoEngineOutput triangleCount;  // SoSFInt32
 
  protected:

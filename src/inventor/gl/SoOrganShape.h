@@ -1,13 +1,16 @@
-// Inventor shape for an organ's changing surface: only changes are sent to the graphics card.
+// Inventor shape for an organ's surface, which changes often. Only changes are sent to the graphics
+// card.
 //
-// The shape has its own vertex buffers. update() receives changes. When a graphics context next
-// renders the shape, the changed ranges are uploaded to it. Each rendering draws only blocks of
-// triangles that may lie in the view, or in the scissor box if one is set. The field `revision`
-// counts changes and notifies the scene. An .iv file or an engine sets the whole surface through
-// fields (example: inventor/gl/SoMarchingCubes.h).
+// The shape has its own vertex buffers in each graphics context. update() receives changes. The
+// next time that a context renders the shape, the changed ranges are uploaded to that context. Each
+// rendering draws only blocks of triangles that may lie in the view. If a scissor box is set, it
+// draws only blocks that may lie in this box. The field `revision` counts the changes, so each
+// change notifies the scene. An .iv file or an engine sets the whole surface through fields;
+// inventor/gl/SoMarchingCubes.h has an example.
 //
-// Attributes for shaders: gl_Vertex, gl_Normal, gl_MultiTexCoord1.xyz = rest position (for patterns
-// that move with the tissue), gl_MultiTexCoord2.x = cut share. In .iv files: `OrganShape {}`.
+// A shader gets the present position of a vertex as gl_Vertex, its normal as gl_Normal, its rest
+// position as gl_MultiTexCoord1.xyz, and its cut share as gl_MultiTexCoord2.x. The rest position
+// serves for patterns that move with the tissue. In .iv files the node is written `OrganShape {}`.
 #pragma once
 
 #include <Inventor/fields/SoMFFloat.h>
@@ -39,47 +42,53 @@ class SoOrganShape : public SoShape {
   static void initClass();
   SoOrganShape();
 
-  // Files and engines set these fields to define the whole surface. As long as none of them is set,
-  // the surface comes from update() alone.
-  SoMFVec3f points;      // m
-  SoMFVec3f normals;     // unit, outwards, one per point
-  SoMFFloat cut;         // cut share per point: 0 capsule, 1 cut parenchyma, -1 capsule at the
-                         // rim of a cut; missing values are 0
-  SoMFInt32 coordIndex;  // triangles: three indices, then -1
+  // Files and engines define the whole surface by these four fields. As long as none of these
+  // fields is set, the surface comes from update() alone.
+  SoMFVec3f points;   // m
+  SoMFVec3f normals;  // for each point a unit normal, which faces outwards
+  // For each point its cut share: 0 on the capsule, 1 on cut parenchyma. The value -1 means that
+  // the point is on the capsule at the rim of a cut. Missing values count as 0.
+  SoMFFloat cut;
+  SoMFInt32 coordIndex;  // for each triangle three indices of points, then -1
 
-  // Number of changes so far. update() writes it.
+  // Number of changes so far. update() increases it.
   SoSFInt32 revision;
 
-  // Applies changes. If a range extends beyond the end of the shape's arrays, they grow. For
-  // vertices that only moved, only points and normals are uploaded. wholeSurface()
-  // (surface_update.h) makes an update that replaces everything.
+  // Applies changes. If a range extends beyond the end of the shape's arrays, the arrays grow. For
+  // vertices that have only moved, only points and normals are uploaded. wholeSurface()
+  // (surface/surface_update.h) makes an update that replaces everything.
   void update(const SurfaceUpdate& update);
 
   int vertexCount() const { return int(surface_.points.size()); }
-  int triangleCount() const { return int(surface_.triangles.size()); }  // see drawnTriangles()
+  // Number of triangles, unused elements of the array included (see drawnTriangles()).
+  int triangleCount() const { return int(surface_.triangles.size()); }
 
-  // Binds the textures of blood, heat, structures and vessels for a program that draws this shape
-  // in another way (SoShadeOnce). The context and the program must be current.
+  // Binds the textures of blood, heat, structures and vessels for a shader program that draws this
+  // shape without calling GLRender() (SoShadeOnce). The context and the program must be current.
   void bindInside(std::uint32_t context, unsigned program);
 
-  // Boxes, in object space, m, round what has changed since the last call of this function.
-  // Together they contain the changed parts at their former and at their present positions.
+  // Boxes round everything that has changed since the last call of this function; in object space,
+  // m. The boxes contain the changed parts at their former positions and at their present
+  // positions.
   std::vector<Aabb> takeChanged();
-  // The highest speed of a vertex among those that update() moved since the last call of this
-  // function, m/s. A vertex's speed is the distance by which an update moves it, divided by the
-  // time since its previous update. Infinite if the surface changed in another way.
+  // The highest speed of the vertices that update() has moved since the last call of this function,
+  // m/s. Only every 64th of these vertices is examined. The speed of a vertex is the distance by
+  // which an update moved it, divided by the time since its previous update. The result is infinite
+  // if the surface got new vertices or triangles.
   double takeSpeed() { return std::exchange(speed_, 0.0); }
 
-  // The first point, in object space, where a ray meets the present surface; none if there is no
-  // such point.
+  // The first point at which a ray meets the present surface. Ray and point are in object space.
+  // Returns nothing if the ray does not meet the surface.
   std::optional<SurfacePoint> firstPointOn(const Ray& ray);
-  // A copy of the present surface, on which points along rays can be found later.
+  // A copy of the present surface. firstPointOn() (inventor/gl/surface_ray.h) can later find points
+  // of this copy.
   std::pair<SurfaceCopy, TriangleBlocks> snapshot();
 
-  // Triangles drawn at the last rendering, unused elements of the array included. (An unused
-  // element is the triangle (0, 0, 0); see surface/surface_tracker.h.)
+  // Number of triangles that the last rendering drew, unused elements of the array included. (An
+  // unused element is the triangle (0, 0, 0); see surface/surface_tracker.h.)
   std::int64_t drawnTriangles() const { return drawnTriangles_; }
-  // Bytes and vertices uploaded to all graphics contexts together since the shape was made.
+  // Numbers of bytes and vertices that have been uploaded since the shape was made. Uploads to all
+  // graphics contexts are added.
   std::uint64_t uploadedBytes() const { return uploadedBytes_; }
   std::uint64_t uploadedVertices() const { return uploadedVertices_; }
 
@@ -112,12 +121,13 @@ class SoOrganShape : public SoShape {
   std::uint64_t uploadedBytes_ = 0, uploadedVertices_ = 0;
   std::int64_t drawnTriangles_ = 0;
   TriangleBlocks blocks_;
-  // For takeChanged(): boxes of single changes, and boxes of all blocks, used when most of the
-  // surface moved.
+  // For takeChanged(). changedPlaces_: boxes of single changes. changedBlocks_: boxes of all
+  // blocks; they are used for a change that moves more than half of the vertices.
   std::vector<TriangleBlocks::Box> changedPlaces_, changedBlocks_;
   double speed_ = 0;  // m/s, see takeSpeed()
-  std::vector<double>
-      moved_;  // per 64 vertices: when the first of them moved last, steady clock, s
+  // For every 64 vertices: the time at which one of them was last examined for takeSpeed(); steady
+  // clock, s.
+  std::vector<double> moved_;
   bool fieldsAreTaken_ = true;
 };
 

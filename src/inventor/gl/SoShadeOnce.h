@@ -1,15 +1,18 @@
-// Inventor group with deferred shading: each pixel is shaded once, however many triangles cover it.
+// Inventor group with deferred shading. Each pixel is shaded only once, even if many triangles
+// cover it.
 //
 // A software renderer shades blocks of 4 x 4 pixels, triangle by triangle. Where triangles are as
-// small as pixels, it shades each pixel about ten times. This group instead draws its shapes into a
-// G-buffer (Saito and Takahashi 1990): a shader program (data/shaders/gather.frag) stores the
-// inputs of the liver's shading in two textures. Depths go to the picture's own depth buffer. Then
-// a second program (data/shaders/gathered.frag) shades each pixel once.
+// small as pixels, it shades each pixel about ten times. With this group it shades each pixel once,
+// in two passes. The first pass draws the shapes into a G-buffer (Saito and Takahashi 1990): a
+// shader program (data/shaders/gather.frag) stores the inputs of the liver's shading in two
+// textures. Depths go to the picture's own depth buffer. In the second pass, a second program
+// (data/shaders/gathered.frag) shades each pixel.
 //
-// The group does this if a shader program is in use and the framebuffer is single-sampled and has a
-// depth renderbuffer. Otherwise it acts as a plain SoGroup: in antialiased pictures, in shadow maps
-// and for picking. On a graphics card all pictures are antialiased, so there it is always a plain
-// group. Its children must be shapes with the attributes of SoOrganShape.
+// The group shades in this way if three conditions hold: a shader program is in use, the
+// framebuffer has one sample per pixel, and it has a depth renderbuffer. In all other cases the
+// group acts as a plain SoGroup, such as in antialiased pictures, in shadow maps and for picking.
+// With a graphics card all pictures are antialiased, so there the group always acts as a plain
+// SoGroup. The children of the group must be shapes with the attributes of SoOrganShape.
 #pragma once
 
 #include <Inventor/nodes/SoGroup.h>
@@ -30,7 +33,8 @@ class SoShadeOnce : public SoGroup {
   static void initClass();
   SoShadeOnce();
 
-  int pictures() const { return pictures_; }  // number drawn so far with deferred shading
+  // Number of pictures that were drawn with deferred shading so far.
+  int pictures() const { return pictures_; }
 
  protected:
   ~SoShadeOnce() override;

@@ -1,25 +1,32 @@
-// Shadow maps of the surgical lamp, and ambient occlusion of the room's light, for the nodes that
-// follow in the scene.
+// Shadow maps of the surgical lamp, and ambient occlusion of the room's light. They serve the nodes
+// that come after this node in the scene.
 //
-// The node draws the shapes under `casters` and `movers` into two depth textures: one as seen from
-// the lamp, and one as seen from straight above. From these it computes, for each point of a square
-// grid over the table, which shares of the room and of the lamp are visible. Shaders of the nodes
-// that follow find the results here:
-// - Texture unit 7: depths seen from the lamp, for comparison (shadow2D). gl_TextureMatrix[7] leads
-//   from eye space to the coordinates and the depth in this texture.
-// - Texture unit 6: depths seen from above. gl_TextureMatrix[6] leads from eye space to x and y,
-//   the coordinates in the textures of units 6 and 5, and z, the depth from above.
-// - Texture unit 5: the grid. Red: share of the room seen from the table plane y = 0. Green: share
-//   of the lamp seen from this plane. Blue: share of the room seen from the topmost surface. Alpha:
-//   height of the topmost surface over the table, as a fraction of `radius`.
-// - gl_TextureMatrix[5] leads from eye space to world space (rotation and translation).
+// This node draws the shapes under `casters` and `movers` into two depth textures. One texture
+// shows the shapes as seen from the lamp, the other as seen from straight above. From these
+// textures the node computes, for each point of a square grid over the table, which fraction of the
+// room and which fraction of the lamp can be seen from the point. The shaders of later nodes find
+// the results here:
+// - Texture unit 7: the depths as seen from the lamp. Shaders compare depths with this texture by
+//   shadow2D. gl_TextureMatrix[7] converts eye space to the coordinates and the depth in this
+//   texture.
+// - Texture unit 6: the depths as seen from above. gl_TextureMatrix[6] converts eye space to three
+//   numbers. The first two, x and y, are the coordinates in the textures of units 6 and 5. The
+//   third number, z, is the depth from above.
+// - Texture unit 5: the grid. Red: fraction of the room that can be seen from the table plane
+//   y = 0. Green: fraction of the lamp that can be seen from the table plane. Blue: fraction of the
+//   room that can be seen from the topmost surface. Alpha: height of the topmost surface over the
+//   table, divided by `radius`.
+// - gl_TextureMatrix[5] converts eye space to world space. It contains a rotation and a
+//   translation.
 //
-// In the scene this node must come after the camera. It redraws the textures only if a caster, a
-// mover or a field has changed, and then only the part given to changedIn(). Separate depth maps
-// hold the casters alone; for a redraw, the movers are drawn over a copy of these maps.
+// In the scene this node must come after the camera. The node redraws the textures only if a
+// caster, a mover or a field has changed. It then redraws only the part that changedIn() was told.
+// Two more depth maps contain the casters alone. In each redraw, these maps are copied, and the
+// movers are drawn over the copies. So the casters are drawn again only if a caster has changed or
+// if the maps are redrawn as a whole.
 //
-// Sources: shadow maps, Williams 1978; percentage-closer soft shadows, Fernando 2005; occlusion of
-// the room's light over a height field, Oat and Sander 2007.
+// Sources: Williams 1978 (shadow maps), Fernando 2005 (percentage-closer soft shadows), Oat and
+// Sander 2007 (occlusion of the room's light over a height field).
 #pragma once
 
 #include <Inventor/fields/SoSFFloat.h>
@@ -51,26 +58,26 @@ class SoShadowMaps : public SoNode {
   static void initClass();
   SoShadowMaps();
 
-  SoSFNode casters;        // shapes that cast shadows; drawn without lights and materials
-  SoSFNode movers;         // further such shapes: small ones that move often
+  SoSFNode casters;        // shapes that cast shadows
+  SoSFNode movers;         // other shapes that cast shadows: small, and often moved
   SoSFVec3f lampPosition;  // world, m
-  SoSFVec3f focus;         // world, m: centre of the region with shadows
-  SoSFFloat radius;        // m, > 0: the region is the sphere of this radius round `focus`
-  // Number of texels along each side of the depth maps, 64 to 4096. The grid has 3/16 as many along
-  // each side, but at least 16.
+  SoSFVec3f focus;         // centre of the sphere in which there are shadows; world, m
+  SoSFFloat radius;        // radius of this sphere, m, > 0
+  // Number of texels along each side of the depth maps, 64 to 4096. The grid has 3/16 of this
+  // number of texels along each side, but at least 16.
   SoSFInt32 resolution;
 
-  // To be called after a change of casters or movers. `box`: contains the change (world, m). An
-  // empty box means that the change may be anywhere. If changedIn() was not called since the last
-  // drawing, the maps are redrawn as a whole.
+  // Call this after a change of casters or movers. box: contains the change; world, m. An empty box
+  // means that the change may be anywhere. If something has changed but changedIn() was not called
+  // since the last drawing, the maps are redrawn as a whole.
   void changedIn(const Aabb& box);
 
-  // hold(true): the maps are not redrawn until hold(false) is called. But if they were never drawn,
-  // they are drawn once even then.
+  // After hold(true) the maps are not redrawn until hold(false) is called. Exception: maps that
+  // were never drawn are drawn once.
   void hold(bool held) { held_ = held; }
 
-  // redraws(): how often the maps were redrawn, in part or as a whole. wholeRedraws(): how often
-  // they were redrawn as a whole.
+  // redraws() says how often the maps were redrawn, in part or as a whole. wholeRedraws() counts
+  // only those redraws in which the maps were redrawn as a whole.
   int redraws() const { return redraws_; }
   int wholeRedraws() const { return wholeRedraws_; }
 

@@ -22,41 +22,44 @@ class SoPerspectiveCamera;
 
 namespace resect {
 
-// The view volume of the camera for a picture of the size of `viewport`, which may be higher than
-// it is wide.
+// The view volume of the camera for a picture of the size of `viewport`. The picture may be higher
+// than it is wide.
 SbViewVolume viewVolumeOf(const SoPerspectiveCamera& camera, const SbViewportRegion& viewport);
 
 class CameraMoves {
  public:
   explicit CameraMoves(SoPerspectiveCamera* camera) : camera_(camera) {}
 
-  // Handles an event that nothing else has used. Returns true if the event belongs to a drag or to
-  // the wheel, even if the camera did not move.
+  // Handles an event. Call it only for events that nothing else has used. Returns true if the event
+  // belongs to a drag or to the wheel, even if the camera did not move.
   bool handle(const SoEvent& event, const SbViewportRegion& viewport);
-  bool dragging() const { return drag_ != Drag::None; }  // a drag moves the camera
+  // Whether the user is dragging the camera.
+  bool dragging() const { return drag_ != Drag::None; }
 
-  // Moves the camera round the point of interest, so that the scene seems to turn to the right and
-  // upwards by these angles, rad.
+  // Moves the camera round the point of interest. The scene seems to turn to the right by the angle
+  // `right` and upwards by the angle `up`, rad.
   void orbit(double right, double up);
-  double lowest =
-      -0.2;  // rad: height of the camera over the horizon below which orbit() does not go
-  // Moves the camera in its view plane, so that the scene seems to move to the right and upwards by
-  // these distances, m.
+  // Least angle of the camera over the horizontal plane through the point of interest, rad. orbit()
+  // does not move the camera below it.
+  double lowest = -0.2;
+  // Moves the camera parallel to the plane of the picture. The scene seems to move to the right by
+  // the distance `right` and upwards by the distance `up`, m.
   void pan(double right, double up);
   // Multiplies the camera's distance from the point of interest by `factor`. The new distance is
-  // kept within 0.05 to 10 m.
+  // limited to 0.05 to 10 m.
   void zoom(double factor);
-  // Brings the camera nearer to a point by `factor`, in a straight line: the point stays where it
-  // is in the picture. The distance to the point of interest is limited as by zoom().
+  // Multiplies the camera's distance from a point by `factor`. The camera moves along the line to
+  // the point, so the point stays where it is in the picture. The camera's distance from the point
+  // of interest changes by the same factor, and is limited as in zoom().
   void zoomAt(const Vec3& point, double factor);
-  // Turns the camera towards a point, which becomes the point of interest.
+  // Turns the camera towards a point. This point becomes the point of interest.
   void lookAt(const Vec3& point);
   Vec3 pointOfInterest() const;
 
-  // Gives the point that is seen at a pixel; the wheel zooms to this point. If the function is not
-  // set or gives no point, or if the point is more than twice as far from the camera as the point
-  // of interest, the wheel zooms to the point of the pixel's line of sight that is at the same
-  // depth as the point of interest.
+  // Returns the point that is seen at a pixel. The wheel zooms to this point. In three cases the
+  // wheel zooms to another point: the function is not set, it returns no point, or the point is
+  // more than twice as far from the camera as the point of interest. Then the wheel zooms to the
+  // point that lies on the pixel's line of sight, at the depth of the point of interest.
   std::function<std::optional<Vec3>(const SbVec2s& pixel, const SbViewportRegion&)> pointUnder;
 
  private:

@@ -1,4 +1,5 @@
-// Makes OpenGL shader programs from files in data/shaders, for use without a scene node.
+// Makes OpenGL shader programs from files in data/shaders. These programs are used without a scene
+// node.
 #pragma once
 
 #include <GL/gl.h>
@@ -8,8 +9,9 @@
 
 namespace resect {
 
-// Compiles and links a program in the current context. The files of each stage are concatenated. If
-// compiling or linking fails, returns 0 and reports the reason to Coin's error handler. Throws
+// Compiles and links a program in the current context. The vertex shader consists of all
+// vertexFiles, one after the other, and the fragment shader of all fragmentFiles. If the program
+// cannot be compiled or linked, returns 0 and reports the reason to Coin's error handler. Throws
 // Error if a file cannot be read.
 GLuint makeProgram(std::initializer_list<std::string_view> vertexFiles,
                    std::initializer_list<std::string_view> fragmentFiles);

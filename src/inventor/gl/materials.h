@@ -1,4 +1,5 @@
-// Shader programs for the materials of the operating room (GLSL 1.20, from data/shaders).
+// Shader programs for the materials of the operating room. They are written in GLSL 1.20, in
+// data/shaders.
 #pragma once
 
 #include <initializer_list>
@@ -14,30 +15,33 @@ namespace resect {
 
 enum class RoomMaterial {
   Liver,   // wet capsule and cut parenchyma, for SoOrganShape
-  Gather,  // per pixel, the inputs for shading Liver later; for SoShadeOnce
-  Steel,   // instruments; drawn as plastic where the specular colour is dark
+  Gather,  // stores for each pixel the inputs of Liver's shading; for SoShadeOnce
+  Steel,   // instruments; looks like plastic where the specular colour is dark
   Cloth,   // the drape on the table, and the drapes of the operative field
-  Skin,    // still tissue of the operative field: skin, fat, muscle, stomach and bowel
+  // Still tissue of the operative field. Gut is the material of stomach and bowel.
+  Skin,
   Fat,
   Muscle,
   Gut,
-  Room,   // background, on a quad that OperatingRoom draws behind everything
-  Drop,   // of blood, on points
-  Scope,  // black round a laparoscope's picture, on a quad before everything
+  Room,   // the background, on a quad behind everything
+  Drop,   // drops of blood, on points
+  Scope,  // the black mask round a laparoscope's picture, on a quad in front of everything
 };
 
-// A new node (reference count 0). In the scene it must come after the camera, three spot lights
-// (two lamps and the one at the eye) and a SoShadowMaps node, and before the geometry. If a shader
-// does not compile, OffscreenView::render throws an Error.
+// A new node, with the reference count 0. In the scene it must come before the geometry, and after
+// the camera, three spot lights and a SoShadowMaps node. The lights are two lamps and the light at
+// the eye. If a shader does not compile, OffscreenView::render() throws an Error.
 SoShaderProgram* makeMaterial(RoomMaterial material);
 
-// A separator that keeps no render cache: its contents change often, or are drawn by shaders.
+// A new separator without a render cache. It is meant for contents that change often or that
+// shaders draw.
 SoSeparator* uncachedSeparator();
-// Such a separator whose children are the material's shader program and then these nodes.
+// A new separator without a render cache. Its children are the material's shader program, followed
+// by `nodes`.
 SoSeparator* withMaterial(RoomMaterial material, std::initializer_list<SoNode*> nodes);
 
-// GLSL source: the version line, followed by the given files of data/shaders. parts: their names.
-// Throws Error if a file cannot be read.
+// GLSL source. It begins with the version line, and then contains files of data/shaders. parts:
+// names of these files. Throws Error if a file cannot be read.
 std::string shaderSource(const std::vector<std::string_view>& parts);
 
 }  // namespace resect

@@ -1,8 +1,9 @@
-// Holds the OpenGL objects of a scene node, separately for each graphics context, and frees them.
+// Holds the OpenGL objects of a scene node, separately for each graphics context, and frees these
+// objects.
 //
 // OpenGL objects may be deleted only while their context is current. So the objects are freed when
-// Coin announces that their context will be destroyed. If the node is destroyed first, they are
-// freed the next time that their context is current.
+// Coin announces that their context will be destroyed. If the node is destroyed before the context,
+// the objects are freed the next time that the context is current.
 #pragma once
 
 #include <Inventor/elements/SoGLCacheContextElement.h>
@@ -14,9 +15,10 @@
 
 namespace resect {
 
-// Kept: a struct that holds the OpenGL objects of one context. Its member function free() deletes
-// them; it is called while their context is current. Kept may be an incomplete type where a
-// PerContext is declared as a member, but not where one is constructed, used or destroyed.
+// Kept: a struct that holds the OpenGL objects of one context. It must have a member function
+// free(), which deletes these objects. PerContext calls free() while the context is current. Where
+// a PerContext is only declared as a member, Kept may be an incomplete type. Where a PerContext is
+// constructed, used or destroyed, Kept must be complete.
 template <typename Kept>
 class PerContext {
  public:
@@ -35,14 +37,14 @@ class PerContext {
   PerContext(const PerContext&) = delete;
   PerContext& operator=(const PerContext&) = delete;
 
-  // The objects of this context. They are made at the first call for the context.
+  // The objects of a context. The first call for a context makes them.
   Kept& operator[](std::uint32_t context) {
     std::unique_ptr<Kept>& kept = contexts_[context];
     if (!kept) kept = std::make_unique<Kept>();
     return *kept;
   }
 
-  // Pairs of a context and a pointer to its objects.
+  // Iterators over pairs: the context, and a pointer to its objects.
   auto begin() { return contexts_.begin(); }
   auto end() { return contexts_.end(); }
 

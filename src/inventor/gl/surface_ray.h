@@ -1,4 +1,4 @@
-// The point at which a ray first meets a surface in blocks of triangles.
+// Finds the point at which a ray first meets a surface.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,10 @@
 
 namespace resect {
 
-// None if the ray does not meet the surface. The blocks must be those of the surface, refreshed.
-// Cost: a box test per 128 triangles, and a test of each triangle in the boxes that the ray meets.
+// The point at which the ray first meets the surface. Returns nothing if the ray does not meet the
+// surface. blocks: the blocks of this surface, after TriangleBlocks::refresh(). Cost: a test of
+// each block's box (one per 128 triangles), and a test of each triangle in the boxes that the ray
+// meets.
 std::optional<SurfacePoint> firstPointOn(const SurfaceCopy& surface, const TriangleBlocks& blocks,
                                          const Ray& ray);
 

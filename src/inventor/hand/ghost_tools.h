@@ -1,5 +1,5 @@
-// Ghosts: transparent copies of the instruments that follow the scenario's own motions. They show
-// the user what a good operator does.
+// Ghosts are transparent copies of the instruments. They follow the motions that the scenario
+// contains, and so show the user what a good operator does.
 #pragma once
 
 #include <span>
@@ -16,23 +16,23 @@ namespace resect {
 
 class GhostTools {
  public:
-  // models: one per tool of the scenario.
+  // models: one model for each tool of the scenario.
   GhostTools(SoSeparator* parent, const Scenario& scenario, std::span<const ToolModel> models);
   ~GhostTools();
   GhostTools(const GhostTools&) = delete;
   GhostTools& operator=(const GhostTools&) = delete;
 
-  bool any() const { return !ghosts_.empty(); }  // whether the scenario has motions
-  // Shows the motions at `time`, s from their start; after their end they start again. hide()
-  // hides the ghosts. Both return the box that must be drawn again, world, m; it is empty if
-  // nothing changed visibly.
+  bool any() const { return !ghosts_.empty(); }  // whether the scenario contains motions
+  // show() shows the ghosts at one time of the motions. time: seconds since the start of the
+  // motions. When the motions end, they start again. hide() hides the ghosts. Both functions return
+  // the box that must be drawn again; world, m. The box is empty if nothing has changed visibly.
   Aabb show(double time);
   Aabb hide();
 
  private:
   struct Ghost {
     std::size_t tool;
-    Aabb bounds;  // of its mesh, in its own frame, m
+    Aabb bounds;  // bounds of the tool's mesh, in the tool's frame, m
     SoSwitch* shown;
     SoTransform* place;
     Pose pose;

@@ -1,5 +1,5 @@
-// A dragger in the scene that sets the iso level, as in the original thesis. It slides along a
-// vertical scale; the value is written above the scale.
+// A dragger in the scene that sets the iso level, as in the original thesis. The dragger slides
+// along a vertical scale. The iso level is written above the scale.
 #pragma once
 
 #include <functional>
@@ -16,29 +16,29 @@ class SoTranslate1Dragger;
 
 namespace resect {
 
-// A place (world, m) for the lower end of the scale: beside the organ, at the left in the picture,
-// where the scale does not hide the organ. towardsCamera: direction from the organ to the camera;
-// it is rounded to steps of 10 degrees about the vertical.
+// A place for the lower end of the scale; world, m. It is to the left of the organ in the picture,
+// so that the scale does not hide the organ. towardsCamera: direction from the organ to the camera.
+// Only its angle about the vertical matters, rounded to steps of 10 degrees.
 Vec3 scaleFoot(const Aabb& organ, const Vec3& towardsCamera);
 
 class IsoDragger {
  public:
-  // `foot`: the lower end of the scale, where the iso level is 0; world, m.
+  // foot: the lower end of the scale, at which the iso level is 0; world, m.
   IsoDragger(SoSeparator* parent, const Vec3& foot);
   ~IsoDragger();
   IsoDragger(const IsoDragger&) = delete;
   IsoDragger& operator=(const IsoDragger&) = delete;
 
   float value() const { return value_; }
-  // Moves the dragger without calling `changed`. The value is clamped to [kMinIso, kMaxIso].
+  // Moves the dragger to an iso level, limited to [kMinIso, kMaxIso]. Does not call `changed`.
   void setValue(float iso);
   Vec3 handle() const;  // middle of the dragger, world, m
-  // Hides the scale, so that it can neither be seen nor dragged, or shows it again.
+  // Shows or hides the scale and the dragger. While they are hidden, the dragger cannot be dragged.
   void show(bool shown);
   bool shown() const;
   void moveTo(const Vec3& foot);  // foot: the new lower end; world, m
 
-  std::function<void(float)> changed;  // called with the new value when a person moved the dragger
+  std::function<void(float)> changed;  // called with the new value when the user moves the dragger
 
  private:
   static void dragged(void* self, SoDragger* dragger);

@@ -1,8 +1,8 @@
-// An interactive operation without its window: the operating room, the handling of instruments, the
-// camera, the iso scale and the live operation.
+// An interactive operation without its window. It consists of the operating room, the handling of
+// instruments, the camera, the scale of the iso level, and the live operation (LiveOperation).
 //
-// The only inputs are Inventor events and calls of the functions below. So any window toolkit, or a
-// test, can use this class.
+// The only inputs are Inventor events, and calls of the functions below. So any window toolkit can
+// use this class, and so can a test.
 #pragma once
 
 #include <Inventor/actions/SoHandleEventAction.h>
@@ -31,77 +31,87 @@ namespace resect {
 
 class OperatingSession {
  public:
-  // The tools start at their rest poses. `aspect`, here and below: width / height of the picture.
-  // watch, history, paused: as LiveOperation takes them.
+  // At first the tools are at their rest poses. aspect (here and below): width / height of the
+  // picture. watch, history, paused: as in the constructor of LiveOperation.
   OperatingSession(const Scenario& scenario, std::unique_ptr<Simulation> simulation, double aspect,
                    OperationWatch watch = {}, std::optional<OperationHistory> history = {},
                    bool paused = false);
 
-  // Handles an event of mouse or keyboard. The event's position is in pixels from the lower left of
-  // the viewport. Returns whether a tool, a dragger or the camera used the event.
+  // Handles an event of mouse or keyboard. The event's position is in pixels from the lower left
+  // corner of the viewport. Returns whether a tool, a dragger or the camera has used the event.
   bool handle(const SoEvent& event, const SbViewportRegion& viewport);
 
-  // Takes from the operation what has changed since the last call of update(), and runs Inventor's
-  // sensors. Returns the damage since that call.
+  // Brings the scene up to date with the operation, and runs Inventor's sensors. Returns the damage
+  // since the last call of update().
   Damage update();
   // Tells the operation which tools have their tips in the picture.
   void noteSight(const SbViewportRegion& viewport);
   bool pending() const { return !damage_.empty(); }  // whether there is damage to draw
 
-  // Plays the scenario's motions, frame by frame, up to the scenario time `until`, s. Begins where
-  // the last call ended. If the motions are over or were stopped, begins at their start, with the
-  // organs as they were at the start of the operation. Taking a tool stops the motions.
+  // Plays the scenario's motions, frame by frame, up to the scenario time `until`, s. The motions
+  // continue where the last call of play() ended. If they had reached their end, or were stopped,
+  // they begin again from the start, and the organs are as they were at the start of the operation.
+  // If the user takes a tool, the motions stop.
   void play(double until);
   bool playing() const { return playing_; }
 
-  // undo() shows the moment before the last stroke, redo() the moment at which the last undo() was
-  // called, and show() any moment (LiveOperation::show()). The tools go where they were at that
-  // moment. Operating goes on from there when goOn() is called, or when the hand takes or moves an
-  // instrument. undo() and redo() stop the motions; if there is nothing to undo or redo, the
-  // operation stays at its moment.
+  // These three functions show an earlier or later moment of the operation. undo() shows the moment
+  // before the last stroke. redo() shows the moment at which the last undo() was called. show()
+  // shows any moment (LiveOperation::show()). The tools go to the poses that they had at the shown
+  // moment. The operation continues from the shown moment when goOn() is called, or when the hand
+  // takes, moves or lets go an instrument. An instrument that only hovers has no such effect. All
+  // three functions stop the scenario's motions. If there is nothing to undo or redo, the operation
+  // stays at its present moment.
   void undo();
   void redo();
   void show(Moment moment);
-  // As LiveOperation::setPlayback().
+  // Calls LiveOperation::setPlayback().
   void setPlayback(double speed, std::int64_t branch) { operation_.setPlayback(speed, branch); }
+  // Lets the operation continue from the moment that is shown.
   void goOn();
-  // Whether bleeding ends of vessels are marked, and an instrument in hand that can stop bleeding
-  // is guided to them. There are no marks while the hand has no such instrument. At first: true.
+  // Sets whether bleeding ends of vessels are marked. The ends are marked only while the hand has
+  // an instrument that can stop bleeding. Then this instrument is also guided to the ends. At first
+  // `marks` is true.
   void setBleedingMarks(bool marks) { marksBleeding_ = marks; }
-  // setGuide() sets the guidance of a task that is drawn, or none. setGhosts() shows or hides the
-  // ghosts of the scenario's instruments (GhostTools).
+  // setGuide() sets the guidance of a task, which is drawn from now on; without a guide nothing is
+  // drawn. setGhosts() shows or hides the ghosts of the scenario's instruments (GhostTools).
   void setGuide(std::optional<Guide> guide) { guide_ = std::move(guide); }
   void setGhosts(bool shown) { showsGhosts_ = shown; }
   bool hasGhosts() const { return ghosts_.any(); }
-  // Distance of the instrument in hand from the guide (distanceFrom()), m; none without instrument
-  // or guide.
+  // Distance of the instrument in hand from the guide, m (distanceFrom() in
+  // inventor/hand/marks/guide_marks.h). Returns nothing if the hand is empty or there is no guide.
   std::optional<double> guideDistance() const;
-  void setIso(float iso);                                      // also calls goOn()
-  bool answered() const { return asked_ == state_.answered; }  // whether all requests are done
+  void setIso(float iso);  // sets the iso level and calls goOn()
+  // Whether the operation has carried out all requests.
+  bool answered() const { return asked_ == state_.answered; }
   // Whether a moment of the history is shown, or has been requested.
   bool showing() const { return asked_ > state_.answered || (state_.showing && !goingOn_); }
 
-  // Moves and turns the tool in hand. If there is none, moves the camera.
+  // Moves and turns the tool in hand. If the hand is empty, moves the camera instead.
   void follow(const ViewMotion& motion);
   // Places the camera for one of the fixed views of the room. The surgeon's view is a close-up: the
-  // organs fill about half of the picture. In thesis mode the surgeon's view also shows the tool
-  // box and the scale.
+  // organs fill about half of the picture. In thesis mode the surgeon's view shows all that
+  // viewAll() shows.
   void look(RoomView view, double aspect);
-  // Moves the camera, without turning it, so that organs, tool box and iso scale are in the
-  // picture.
+  // Moves the camera without turning it. Then the picture contains the organs, the rest poses of
+  // the instruments unless the operative field is shown, and the scale of the iso level unless the
+  // scale is hidden.
   void viewAll(double aspect);
   // Multiplies the camera's distance from its point of interest by `factor`.
   void zoom(double factor);
-  // Shows or hides the scale of the iso level. In the picture it always stands left of the organs.
+  // Shows or hides the scale of the iso level. In the picture the scale is always to the left of
+  // the organs.
   void showScale(bool shown);
-  // Stops the motions, puts all tools back to their rest poses, and shows the surgeon's view.
+  // Stops the scenario's motions, puts all tools back to their rest poses, and shows the surgeon's
+  // view.
   void bringEverythingBack(double aspect);
   // The point that is seen at a pixel (PointedSurface::under()).
   std::optional<SurfacePoint> pointUnder(const SbVec2s& pixel,
                                          const SbViewportRegion& viewport) const;
-  // The pixel of the viewport at which a point (world, m) is seen.
+  // The pixel of the viewport at which a point is seen. point: world, m.
   SbVec2s pixelOf(const Vec3& point, const SbViewportRegion& viewport) const;
-  // Middle of a tool's bounding box, world, m. A click there takes the tool if nothing hides it.
+  // Middle of a tool's bounding box; world, m. A click at this point takes the tool if nothing
+  // hides the tool.
   Vec3 middleOfTool(int tool) const;
 
   SoNode* root() const { return view_.room().root(); }
@@ -112,7 +122,7 @@ class OperatingSession {
   LiveOperation& operation() { return operation_; }
   const LiveState& state() const { return state_; }
   const Scenario& scenario() const { return scenario_; }
-  // Shows the operative field, or the table, from the next picture on.
+  // From the next picture on, shows the operative field (true) or the table (false).
   void showField(bool field);
   const std::vector<ToolModel>& toolModels() const { return toolModels_; }
   // Cells of the first organ before the operation.
@@ -141,8 +151,8 @@ class OperatingSession {
   std::vector<ToolModel> toolModels_;
   Discretization cells_;
   Aabb organBox_;
-  // The organs' silhouette in the surgeon's view before the operation: its middle, world, m, and
-  // its area, m^2.
+  // Middle (world, m) and area (m^2) of the organs' silhouette in the surgeon's view before the
+  // operation.
   Vec3 fieldMiddle_ = Vec3::Zero();
   double fieldArea_ = 0;
   mutable OperationView view_;
@@ -154,26 +164,30 @@ class OperatingSession {
   GhostTools ghosts_;
   SoHandleEventAction events_;
   Damage damage_{true, {}, {}};
-  std::vector<Aabb> toolBoxes_;  // per tool: its bounding box when it last moved, world, m
-  // Per tool: boxes of its slices along its axis, in the tool's frame, m.
+  // For each tool: its bounding box after its last motion; world, m.
+  std::vector<Aabb> toolBoxes_;
+  // For each tool: boxes of the slices into which its mesh is cut along the Z axis; in the tool's
+  // frame, m.
   std::vector<std::vector<Aabb>> toolSlices_;
-  // Per tool: boxes of its slices when it last moved, world, m; its bounding box if it had a
-  // manipulator then.
+  // For each tool: the boxes of its slices after its last motion; world, m. If the tool had a
+  // manipulator then, this is its bounding box instead.
   std::vector<std::vector<Aabb>> shownSlices_;
-  std::shared_ptr<const LooseBlood> loose_;  // as drawn last
-  std::shared_ptr<const BareVessels> bare_;  // as drawn last
-  Aabb markerBox_;                           // of the marker under the tip, as shown last, world, m
-  std::int64_t asked_ = 0;                   // number of the last request to the operation
-  bool goingOn_ = false;                     // goOn() was called, and no frame has ended since
-  bool following_ = false;                   // the tools are being set to the operation's poses
+  std::shared_ptr<const LooseBlood> loose_;  // blood that was drawn last
+  std::shared_ptr<const BareVessels> bare_;  // vessels that were drawn last
+  Aabb markerBox_;          // box of the marker at the tip that was shown last; world, m
+  std::int64_t asked_ = 0;  // number of the last request to the operation
+  // goOn() was called, and the operation still shows a moment.
+  bool goingOn_ = false;
+  bool following_ = false;  // the tools are being set to the operation's poses
   bool playing_ = false;
   bool marksBleeding_ = true;
   std::optional<Guide> guide_;
   bool showsGhosts_ = false;
-  std::int64_t played_ = 0, playUntil_ = 0;  // scenario frames: where play() begins and ends
+  // Frames of the scenario at which play() begins and ends.
+  std::int64_t played_ = 0, playUntil_ = 0;
   LiveState state_;
-  LedgerWatch ledger_;  // moved into operation_ when that is made
-  // The last member, so that its thread ends before the other members are destroyed.
+  LedgerWatch ledger_;  // the constructor moves it into operation_
+  // This must be the last member, so that its thread ends before the other members are destroyed.
   LiveOperation operation_;
 };
 

@@ -1,4 +1,4 @@
-// The point of the organs that is seen under a pixel.
+// Finds the point of the organs that is seen at a pixel.
 #pragma once
 
 #include <Inventor/SbVec2s.h>
@@ -18,28 +18,32 @@ class PointedSurface {
  public:
   explicit PointedSurface(OperatingRoom& room) : room_(room) {}
 
-  // The nearest point under the pixel on an organ's present surface or on the plane of the table's
-  // top. None if there is no such point within 5 m of the camera. The normal faces the camera.
+  // The nearest point that is seen at the pixel. It is on the present surface of an organ, or on
+  // the plane of the table's top. The normal faces the camera. Returns nothing if there is no such
+  // point within 5 m of the camera.
   std::optional<SurfacePoint> under(const SbVec2s& pixel, const SbViewportRegion& viewport) const;
 
-  // To be called when a stroke begins at `first`. Until end(), along() finds points on copies of
-  // the organs' surfaces as they are at the call of begin(). On the moving surfaces an instrument
-  // that dents the tissue would follow its own dent down.
+  // Call begin() when the instrument begins to press, at the point `first`. begin() copies the
+  // surfaces of the organs. Until end() is called, along() finds points on these copies. (On the
+  // surfaces themselves, an instrument that dents the tissue would follow its own dent down.)
   void begin(const SurfacePoint& first);
   void end();
-  // The point under the pixel. A stroke that begins beside the organs continues on the first organ
-  // that the pointer meets. If the pointer then leaves the organ, or jumps in depth (more than 20
-  // mm and more than twice the way of the pointer), the stroke continues at the depth of its last
-  // point, parallel to the plane of the picture. None if the last point is behind the camera.
+  // The next point of the path along which the instrument presses. pixel: where the pointer is. If
+  // the path begins beside the organs, it goes on to the first organ that the pointer meets. From
+  // then on, the path follows the organs as long as it does not jump in depth. It jumps if the
+  // surface at the pixel is more than 20 mm from the depth of the last point, and also more than
+  // twice the distance that the pointer has moved at this depth. If the path jumps, or if no organ
+  // is at the pixel, the next point has the depth of the last point. (Depth is measured at right
+  // angles to the plane of the picture.) Returns nothing if the last point is behind the camera.
   std::optional<SurfacePoint> along(const SbVec2s& pixel, const SbViewportRegion& viewport);
 
  private:
   Ray rayThrough(const SbVec2s& pixel, const SbViewportRegion& viewport) const;
 
   OperatingRoom& room_;
-  std::vector<std::pair<SurfaceCopy, TriangleBlocks>> kept_;  // of the organs, at begin()
-  SurfacePoint last_;                                         // last point of the stroke
-  bool reached_ = false;                                      // the stroke has been on an organ
+  std::vector<std::pair<SurfaceCopy, TriangleBlocks>> kept_;  // copies that begin() has made
+  SurfacePoint last_;                                         // last point of the path
+  bool reached_ = false;                                      // the path has been on an organ
 };
 
 }  // namespace resect

@@ -1,5 +1,6 @@
-// Depth cues for an instrument's tip: a plumb line from the tip down to what lies below it, a ring
-// at the line's lower end, and a glow at the tip if tissue is touched or nearer than 8 mm.
+// Marks that show how far an instrument's tip is from other things: a plumb line from the tip down
+// to what lies below it, a ring at the lower end of this line, and a glow at the tip. The glow is
+// shown if the tool touches tissue, or if the tip is nearer than 8 mm to tissue.
 #pragma once
 
 #include "base/vec.h"
@@ -22,9 +23,9 @@ class TipMarker {
   TipMarker& operator=(const TipMarker&) = delete;
 
   void hide();
-  // `tip`: position of the tip, world, m. `below`: height (y) of what lies under the tip, world, m.
-  // `distance`: from the tip to tissue, m; 0 inside tissue. `touching`: whether the tool touches
-  // tissue. Returns false if nothing changed.
+  // tip: position of the tip; world, m. below: y of what lies under the tip; world, m. distance:
+  // distance of the tip from tissue, m; 0 inside tissue. touching: whether the tool touches tissue.
+  // Returns false if nothing has changed.
   bool show(const Vec3& tip, double below, double distance, bool touching);
 
  private:

@@ -1,28 +1,29 @@
-// Takes and moves tools with mouse and keyboard.
+// Lets the user take and move tools with mouse and keyboard.
 //
-// A tool can be held with a manipulator, as in the original thesis. A left click on a tool replaces
-// its SoTransform by a handle box, which moves the tool. A middle click replaces the handle box by
-// a trackball, which turns the tool; another middle click brings back the handle box. The next left
-// click on a tool gives it the manipulator of these two that was used last. A click beside all
-// tools lets go of the tool and restores its SoTransform. If the user scales the tool with the
-// handle box, the scale is ignored: the tool keeps its size and its position.
+// A tool can be held with a manipulator, as in the original thesis. There are two manipulators: a
+// handle box, which moves the tool, and a trackball, which turns the tool. A left click on a tool
+// replaces the tool's SoTransform by a manipulator. At first this manipulator is the handle box.
+// Later it is the manipulator that was used last. A middle click replaces the handle box by the
+// trackball, or the trackball by the handle box. A left click beside all tools lets go of the tool
+// in hand and restores its SoTransform. If the user tries to scale the tool with the handle box,
+// the tool keeps its size and its position.
 //
-// A tool can also be held directly. Dragging the tool moves it in the plane of the view; the wheel
-// moves it in depth. With Shift, dragging or the wheel turns the tool about its tip. The arrow keys
-// do the same as dragging, the page keys the same as the wheel. The keys of
-// inventor/hand/tool_keys.h take a tool; Escape puts the tool in hand back. The tool's jaws are
-// closed while C is held down, and its pedal is pressed while P is held down.
+// A tool can also be held directly. If the user drags the tool, it moves parallel to the plane of
+// the picture. The wheel moves the tool in depth. With Shift, dragging and the wheel turn the tool
+// about its tip. The arrow keys act like dragging, and the page keys act like the wheel. The keys
+// of inventor/hand/tool_keys.h take a tool. Escape puts the tool in hand back. While C is held
+// down, the tool's jaws are closed. While P is held down, the tool's pedal is pressed.
 //
-// If guide() was called, a tool that is taken follows the organ's surface instead
-// (operation/hand/surface_hand.h): it hovers over the point under the pointer, and works while the
-// left button is down. The wheel and the page keys change how deep it works; with Shift the mouse
-// and the wheel turn its edge.
+// If guide() was called, a tool is guided after it is taken (operation/hand/surface_hand.h): it
+// hovers over the point of the surface at which the pointer points, and works while the left button
+// is down. The wheel and the page keys change the working depth. With Shift, the mouse and the
+// wheel turn the tool's edge.
 //
-// One tool is in hand at a time. Other tools can be left where they are, holding or pressing
-// (leave()): they go on working without the hand.
+// At most one tool is in hand. Other tools can be left at work (leave()): they stay where they are,
+// and go on holding or pressing.
 //
-// Events come through an SoEventCallback at the start of the scene, so that a window and a test get
-// the same behaviour. Events that are not for tools, such as those that move the camera, stay
+// Events come through an SoEventCallback at the start of the scene, so windows and tests see the
+// same behaviour. Events that are not for tools, such as events that move the camera, stay
 // unhandled.
 #pragma once
 
@@ -52,7 +53,7 @@ class ToolHandling {
  public:
   enum class Hold { None, Direct, Guided, HandleBox, Trackball };
 
-  // `rests`: per tool of the room, its rest pose. The room must outlive this object.
+  // rests: the rest poses of the room's tools. The room must outlive this object.
   ToolHandling(OperatingRoom& room, std::vector<Pose> rests);
   ~ToolHandling();
   ToolHandling(const ToolHandling&) = delete;
@@ -61,73 +62,78 @@ class ToolHandling {
   int toolCount() const { return int(rests_.size()); }
   int held() const { return held_; }             // number of the tool in hand; -1: none
   Hold how() const { return how_; }              // how the tool in hand is held
-  bool squeezing() const;                        // whether the hand closes this tool's jaws
+  bool squeezing() const;                        // whether the hand closes the tool's jaws
   bool pedalling() const { return pedalling_; }  // whether the foot presses the pedal
   bool hasPedal() const;                         // whether the tool in hand has a pedal
+  // Whether a guided tool is in hand and works.
   bool pressing() const { return how_ == Hold::Guided && hand_.pressing; }
-  // isLeft(): whether the tool was left holding or pressing. left(): one value per tool; 1: it was
-  // left so, 0: it was not.
+  // isLeft() says whether a tool is left at work. left() has one value per tool: 1 if the tool is
+  // left at work, otherwise 0.
   bool isLeft(int tool) const { return left_[std::size_t(tool)] != 0; }
   const std::vector<std::uint8_t>& left() const { return left_; }
   // Working depth of a guided tool below the surface, m.
   double depth(int tool) const { return depths_[std::size_t(tool)]; }
-  // World pose of a tool, without the scale that a handle box may have set.
+  // Pose of a tool in the world. A scale that a handle box may have set is ignored.
   Pose pose(int tool) const;
 
-  // From now on, tools that are taken follow the surface, and stay above the table. models: one per
-  // tool; must outlive this object.
+  // From now on, tools that are taken follow the surface of the organs and stay above the table.
+  // models: one model per tool. They must outlive this object.
   void guide(std::span<const ToolModel> models);
-  // How a tool is held after it was taken by its number or dragged: Guided, or Direct without
-  // guide().
+  // How a tool is held after take(): Guided if guide() was called, otherwise Direct.
   Hold usual() const { return models_.empty() ? Hold::Direct : Hold::Guided; }
-  // The hand that guides the tool over the surface; null unless the tool in hand is guided and has
-  // been pointed at a surface.
+  // The hand that guides the tool over the surface. Null unless the tool in hand is guided and the
+  // pointer has pointed at a surface.
   const SurfaceHand* surfaceHand() const;
-  // The pose of the tool in hand at which it began to press; only while pressing().
+  // The pose that the tool in hand had when it began to press. Valid only while pressing() is true.
   const Pose& pressedFrom() const { return pressedFrom_; }
-  // The pose that the hand wants for a tool. It differs from pose() only for a guided tool in hand;
-  // the caller must move the tool there.
+  // The pose that a tool should have. It differs from pose() only if the tool is guided and in
+  // hand. Then the caller must move the tool to this pose.
   Pose wanted(int tool) const;
 
-  // Lets go of the tool in hand, and then holds `tool` in the way `how`. With tool -1 or Hold::None
-  // no tool is held afterwards. A tool that is taken from its rest pose with Hold::Direct gets its
-  // working rotation (operation/room.h), and its tip moves to where the tool's middle was.
+  // Lets go of the tool in hand, and then holds `tool` in the manner `how`. If `tool` is -1 or
+  // `how` is Hold::None, no tool is held afterwards. If `how` is Hold::Direct and the tool is at
+  // its rest pose, the tool gets the rotation workingRotation() (operation/room.h), and its tip
+  // moves to where the middle of the tool was.
   void hold(int tool, Hold how);
-  // Calls hold(tool, usual()). If the tool was at its rest pose, its tip moves to readyPlace, or to
-  // where the pointer is. With guide(), the tool that was in hand before is put back, or is left
-  // at work if it was pressing.
+  // Calls hold(tool, usual()). If the tool was at its rest pose, its tip moves to readyPlace; a
+  // guided tool moves to the pointer instead if the pointer is over a surface. If guide() was
+  // called, the tool that was in hand before is left at work if it was pressing, and otherwise put
+  // back.
   void take(int tool);
-  // Leaves the tool in hand where it is, holding or pressing, until it is taken again or put back.
+  // Leaves the tool in hand at work, until it is taken again or put back.
   void leave();
-  // Sets which tools are left, one value per tool, when an earlier moment is shown.
+  // Sets which tools are left at work, when an earlier moment is shown. left: as left() returns it.
   void setLeft(const std::vector<std::uint8_t>& left) { left_ = left; }
-  // Moves the tool to its rest pose, and lets go of it if it is in hand.
+  // Moves a tool to its rest pose. If the tool is in hand, lets go of it.
   void putBack(int tool);
   void setPose(int tool, const Pose& pose);
-  // To be called after the camera moved: points at the surface that is now under the pointer.
+  // Call this after the camera has moved. A guided tool then points at the surface that is now seen
+  // under the pointer.
   void aimAgain();
-  // Sets places, world, m. When the hand points near one of them, the tool in hand works there
-  // (seek()).
+  // Sets target points; world, m. When the hand points near a target, the tool in hand works at
+  // that target (seek() in operation/hand/surface_hand.h).
   void setTargets(std::vector<Vec3> targets);
-  // Ends a drag: the mouse moves no tool until a button is pressed again.
+  // Ends a drag: until a button is pressed again, the mouse moves no tool.
   void interrupt();
 
-  // Moves the tool in hand, if any. inView: distances to the right, up and away from the viewer, m.
+  // Moves the tool in hand. Does nothing if the hand is empty. inView: distances to the right, up
+  // and away from the viewer, m.
   void move(const Vec3& inView);
-  // Turns the tool in hand, if any, about its tip. inView: angles about the axes to the right, up
-  // and away from the viewer, rad.
+  // Turns the tool in hand about its tip. Does nothing if the hand is empty. inView: rotation
+  // vector, rad; its components are along the axes to the right, up and away from the viewer.
   void turn(const Vec3& inView);
 
-  // Where take() puts the tip of a tool from the tool box; world, m.
+  // Where take() puts the tip of a tool that was at its rest pose; world, m.
   Vec3 readyPlace = Vec3(0, 0.25, 0);
-  // If set: returns a corrected pose for each pose that a tool is to get, so that the tool does not
-  // go through the table. Poses from a manipulator and rest poses are not corrected.
+  // Corrects the pose that a tool is to get, so that the tool does not go through the table. It may
+  // be empty. It is not called for rest poses, or for poses that a manipulator sets.
   std::function<Pose(int tool, const Pose&)> constrain;
 
-  // Called after a tool was taken, let go or moved, when its jaws begin or cease to close,
-  // and when the pedal goes down or up.
+  // Called after a tool was taken, let go or moved. Also called when the user begins or ceases to
+  // close the jaws or to press the pedal.
   std::function<void()> changed;
-  // Called when the mouse button with which a tool was moved, or pressed, is released.
+  // Called when the user releases the mouse button after dragging a tool, or after working with a
+  // guided tool. leave() calls this function, too.
   std::function<void()> released;
 
  private:
@@ -148,7 +154,8 @@ class ToolHandling {
   void attach(int tool, Hold how);
   void detach();
   static void draggerMoved(void* self, SoDragger* dragger);
-  Vec3 onScreen(const Vec3& inView) const;  // a vector along the view's axes, in world axes
+  // Converts a vector from the axes right, up and away from the viewer to the axes of the world.
+  Vec3 onScreen(const Vec3& inView) const;
   double metresPerPixel(const SoHandleEventAction& action) const;
   SbVec2s pixelsOf(const Vec3& inView, const SoHandleEventAction& action) const;
   bool atRest(int tool) const;
@@ -159,30 +166,32 @@ class ToolHandling {
   OperatingRoom& room_;
   SoEventCallback* events_;
   std::vector<Pose> rests_;
-  mutable std::vector<SoPath*> bodies_;  // path to each tool's body, found on demand
+  mutable std::vector<SoPath*> bodies_;  // for each tool the path to its model; null: not found yet
   int held_ = -1;
   Hold how_ = Hold::None;
   bool squeezing_ = false;          // the key that closes jaws is down
   bool pedalling_ = false;          // the key that presses the pedal is down
-  std::vector<std::uint8_t> left_;  // per tool; 1: left holding or pressing
-  Hold precise_ = Hold::HandleBox;  // manipulator of the next left click
-  SbVec3f place_;                   // the manipulator's translation before it last set a scale
+  std::vector<std::uint8_t> left_;  // for each tool: 1 if it is left at work, otherwise 0
+  Hold precise_ = Hold::HandleBox;  // manipulator that the next left click attaches
+  SbVec3f place_;                   // the manipulator's last translation without a scale
 
-  std::span<const ToolModel> models_;  // per tool; empty without guide()
-  std::vector<double> depths_;         // per tool: how deep it works, m
-  SurfaceHand hand_;                   // of the tool in hand, if it is guided
+  std::span<const ToolModel> models_;  // one per tool; empty before guide() is called
+  std::vector<double> depths_;         // for each tool: its working depth, m
+  SurfaceHand hand_;                   // guides the tool in hand if `how_` is Guided
   std::vector<Vec3> targets_;
   Pose pressedFrom_;
   PointedSurface pointed_;
-  // Last position of the pointer. A guided tool goes there when it is taken.
+  // Last position of the pointer, and the viewport at that time. A guided tool goes to this
+  // position when it is taken.
   SbVec2s pointer_;
   std::optional<SbViewportRegion> viewport_;
 
-  // The members below are valid from the press of the left button until its release.
-  int pressed_ = -1;            // tool that the drag moves
-  bool elsewhere_ = false;      // pressed beside all tools while a tool was held
-  bool dragging_ = false;       // the pointer moved too far for a click
-  SbVec2s pressedAt_, lastAt_;  // pixels
+  // The members below are valid while the left button is held down.
+  int pressed_ = -1;        // number of the tool that a drag moves; -1: none
+  bool elsewhere_ = false;  // the button went down beside all tools while a tool was held
+  bool dragging_ = false;   // the pointer has moved too far for a click
+  // Pixels of the pointer: where the button went down, and at the last motion.
+  SbVec2s pressedAt_, lastAt_;
 };
 
 }  // namespace resect

@@ -1,14 +1,14 @@
-// A picture of a scene that is kept and drawn again only where the scene has changed.
+// A picture of a scene. The picture is kept, and drawn again only where the scene has changed.
 //
-// With a graphics card every picture is drawn whole, with antialiased edges. With software
-// rendering there are these economies:
+// With a graphics card the whole picture is drawn again after each change, with antialiased edges.
+// Software rendering is slower, so these measures save time:
 // - Only the changed parts are drawn.
-// - While the scene changes, soft shadows are renewed only in every third to eighth picture.
-// - If drawing takes too long for the frame rate, large changed parts are drawn at reduced
-//   resolution.
-// - Edges are not antialiased. Once nothing moves, the caller requests an antialiased picture,
-//   strip by strip, from drawSmooth().
-// The caller need read back only the pixels that may have changed.
+// - While the scene changes, changed soft shadows are drawn only in every third to eighth picture.
+// - If drawing takes longer than setLongestPicture() allows, large changed parts are drawn at a
+//   lower resolution.
+// - Edges are not antialiased. When nothing moves any more, the caller requests an antialiased
+//   picture from drawSmooth(), strip by strip.
+// The caller needs to read only the pixels that may have changed (read()).
 #pragma once
 
 #include <Inventor/SbVec2s.h>
@@ -27,39 +27,43 @@ namespace resect {
 
 class LivePicture {
  public:
-  // The picture is drawn in an offscreen context of its own. Throws Error, with one sentence, if
-  // this context cannot be made.
+  // Makes an offscreen context for the picture. Throws an Error of one sentence if this is not
+  // possible.
   LivePicture();
   ~LivePicture();
   LivePicture(const LivePicture&) = delete;
   LivePicture& operator=(const LivePicture&) = delete;
 
   bool processorDraws() const;             // whether OpenGL renders in software
-  void setProcessorDraws(bool draws);      // for tests: sets processorDraws()
-  void setLongestPicture(double seconds);  // the resolution is reduced if drawing takes longer
-  void setSharp(bool sharp);  // sharp: the resolution is never reduced, and no shadow is late
+  void setProcessorDraws(bool draws);      // for tests: sets what processorDraws() returns
+  void setLongestPicture(double seconds);  // sets the longest drawing time without low resolution
+  // If `sharp` is true, the resolution is never reduced, and changed soft shadows are drawn at
+  // once.
+  void setSharp(bool sharp);
 
-  // Whether draw(), if it is called with this damage, will draw the changed soft shadows too. If
-  // not, the shadow maps need no update before that call.
+  // Whether a call of draw() with this damage will draw changed soft shadows. If not, the shadow
+  // maps need no update before that call.
   bool shadowsAreDue(const Damage& damage) const;
-  // Draws the damaged parts of the scene. The scene must contain `camera`. size: of the picture,
-  // pixels. Returns rectangles that contain all pixels that may have changed; they are valid until
-  // the next call of draw().
+  // Draws the damaged parts of the scene. The scene must contain `camera`. size: size of the
+  // picture, pixels. Returns rectangles that contain all pixels that may have changed. The result
+  // is valid until the next call of draw().
   std::span<const PixelRect> draw(SoNode* scene, const SoPerspectiveCamera& camera,
                                   const Damage& damage, const SbVec2s& size);
-  // Divides the picture into `strips` horizontal strips and draws one of them again, with
-  // antialiased edges. strip: its number, from 0 at the bottom. The scene must be that of the last
-  // draw(). Returns the rectangle of the strip.
+  // Divides the picture into horizontal strips, and draws one strip again with antialiased edges.
+  // strip: number of this strip; the lowest strip has the number 0. strips: number of strips.
+  // `scene` must be the scene of the last draw(). Returns the rectangle of the strip.
   PixelRect drawSmooth(SoNode* scene, int strip, int strips);
-  // Copies the pixels of `part` as 0xffRRGGBB. The top row goes to `topLeft`; each row below it
-  // begins `stride` pixels after the start of the row above.
+  // Copies the pixels of `part` in the form 0xffRRGGBB. The top row is written from `topLeft` on.
+  // Each further row begins `stride` pixels after the start of the row above it.
   void read(const PixelRect& part, std::uint32_t* topLeft, std::ptrdiff_t stride);
-  // Discards the picture: the next draw() draws all of it.
+  // Discards the picture. So the next draw() draws the whole picture.
   void forget();
 
-  // Resolution along each axis at which large changes are drawn, as a fraction of the full one.
+  // Resolution at which large changes are drawn, along each axis, as a fraction of the full
+  // resolution.
   double scale() const { return scale_; }
-  std::int64_t drawnPixels() const { return drawnPixels_; }  // by the last draw() or drawSmooth()
+  // Number of pixels that the last draw() or drawSmooth() has drawn.
+  std::int64_t drawnPixels() const { return drawnPixels_; }
 
  private:
   struct Buffer;
@@ -71,14 +75,16 @@ class LivePicture {
   void adapt(double seconds);
 
   std::unique_ptr<Context> context_;
-  double scale_ = 1, longest_ = 0.028;  // resolution, see scale(); longest drawing time, s
+  // scale_: see scale(). longest_: longest drawing time without low resolution, s.
+  double scale_ = 1, longest_ = 0.028;
   std::int64_t drawnPixels_ = 0;
   Damage late_;  // changes of soft shadows that have not been drawn yet
   std::vector<PixelRect> parts_;
   std::vector<std::uint32_t> rows_;  // work space of read()
   bool sharp_ = false;
-  int sinceShadows_ = 0;  // pictures since the last one with new shadows
-  // Moving averages of the drawing times without and with new shadows, s.
+  int sinceShadows_ = 0;  // number of pictures since changed shadows were drawn last
+  // Moving averages of drawing times, s: of pictures without changed shadows (plain_), and of
+  // pictures with them (shadowed_).
   double plain_ = 0, shadowed_ = 0;
 };
 

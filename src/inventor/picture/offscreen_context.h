@@ -1,8 +1,9 @@
-// An OpenGL context for drawing into framebuffers. The window uses it too, and it works on machines
-// without a display.
+// An OpenGL context for drawing into framebuffers. It works on machines without a display. The
+// window draws in such a context, too.
 //
-// EGL makes the context, without a surface: on the first graphics card that works, otherwise with
-// software rendering. It needs no X server and no environment variable.
+// EGL makes the context, without a surface. The context uses the first graphics card that works. If
+// no graphics card works, the context uses software rendering. No X server and no environment
+// variable is needed.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +13,16 @@ namespace resect {
 
 class OffscreenContext {
  public:
-  // The new context is current afterwards. Throws Error, with one sentence, if EGL or OpenGL is
-  // missing.
+  // Makes the context current. Throws an Error of one sentence if EGL or OpenGL is missing.
   OffscreenContext();
-  // Lets Coin free the OpenGL objects that it made in this context. The caller must delete its own
-  // framebuffers before the context is destroyed.
+  // Makes Coin free its OpenGL objects in this context. The caller must delete its own framebuffers
+  // before the context is destroyed.
   ~OffscreenContext();
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;
 
   void makeCurrent() const;     // throws Error on failure
-  bool becomesCurrent() const;  // makeCurrent() for destructors: returns false on failure
+  bool becomesCurrent() const;  // like makeCurrent(), but returns false on failure
   // OpenGL's name of the renderer, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
   const char* renderer() const { return renderer_.c_str(); }
   bool processorDraws() const;  // whether renderer() is a software renderer of Mesa
@@ -34,9 +34,9 @@ class OffscreenContext {
   std::string renderer_;
 };
 
-// Binds a framebuffer of the current context and sets OpenGL's state for drawing a whole scene: the
-// full viewport, black as the colour to clear with, depths tested and written. The function itself
-// clears nothing.
+// Binds a framebuffer of the current context, and sets OpenGL's state for drawing a whole scene.
+// The viewport is the whole framebuffer, the clear colour is black, and depths are tested and
+// written. The function itself clears nothing.
 void beginPicture(std::uint32_t framebuffer, int width, int height);
 
 }  // namespace resect

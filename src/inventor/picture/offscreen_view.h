@@ -1,7 +1,7 @@
-// Draws a scene to a picture without a display.
+// Draws pictures of a scene. It needs no display.
 //
-// Keeps an offscreen context and a multisampled framebuffer, so that buffers, textures and shaders
-// are made only once for many pictures. The scene must contain a camera and lights.
+// An OffscreenView keeps an offscreen context and a multisampled framebuffer. So buffers, textures
+// and shaders are made only once for many pictures. The scene must contain a camera and lights.
 #pragma once
 
 #include <memory>
@@ -14,9 +14,10 @@ namespace resect {
 
 class OffscreenView {
  public:
-  // `width`, `height`: 16 to 8192 pixels. `samples`: number of samples per pixel; 1: no
-  // antialiasing. If the driver supports only fewer samples, its largest number is used. Throws
-  // Error if EGL or OpenGL is missing, or if the size is refused.
+  // width, height: size of the pictures, 16 to 8192 pixels each. samples: number of samples per
+  // pixel; 1 means no antialiasing. If the driver does not support so many samples, its largest
+  // number is used. Throws Error if the size is out of range, if the driver refuses the size, or if
+  // EGL or OpenGL is missing.
   OffscreenView(int width, int height, int samples = 4);
   ~OffscreenView();
   OffscreenView(const OffscreenView&) = delete;
@@ -25,9 +26,9 @@ class OffscreenView {
   int width() const;
   int height() const;
 
-  // Draws a picture of the scene. The same scene gives the same bytes with the same renderer.
-  // Throws Error if a shader of the scene does not compile; Inventor by itself would go on with
-  // flat colours.
+  // Draws a picture of the scene. The same scene and the same renderer always give the same bytes.
+  // Throws Error if a shader of the scene does not compile. (Without this check, Inventor would
+  // draw flat colours instead.)
   RgbImage render(SoNode* scene);
 
   // Name of the renderer, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".

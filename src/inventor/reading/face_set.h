@@ -1,8 +1,9 @@
-// Triangles of FaceSet and QuadMesh nodes.
+// Converts FaceSet and QuadMesh nodes to triangles.
 //
-// Resect converts these two kinds of node itself, with range checks. Coin would read out of bounds
-// if an index or a count is wrong. The three kinds of shape that the thesis used (IndexedFaceSet,
-// TriangleStripSet and IndexedTriangleStripSet) have headers of their own in this folder.
+// Resect has its own converters for these two kinds of node, since Coin reads out of bounds if an
+// index or a count in the node is wrong. The converters check all indices and counts. In this
+// folder there are also converters for IndexedFaceSet, TriangleStripSet and IndexedTriangleStripSet
+// nodes.
 #pragma once
 
 #include <span>
@@ -15,15 +16,17 @@ class SoQuadMesh;
 
 namespace resect {
 
-// Appends the faces' triangles to `triangles`, as indices into `points` (the coordinates in effect
-// at the node). Each run of points (point_runs.h) is a polygon. If a face needs more points than
-// exist, throws an Error whose sentence begins with `where`.
+// Appends the triangles of the node's faces to `triangles`. Each face is a run of points
+// (inventor/reading/point_runs.h). points: the coordinates that are in effect at the node; the
+// triangles contain indices of these points. If a face needs more points than exist, throws an
+// Error that begins with `where`.
 void appendTriangles(const SoFaceSet& shape, std::span<const Vec3> points, const std::string& where,
                      std::vector<Triangle>& triangles);
 
-// As above, for a mesh of verticesPerColumn rows, each of verticesPerRow points. The first point of
-// the mesh has the index startIndex. As in Coin, each quadrilateral is split from its first corner
-// to the opposite one. A mesh of fewer than two rows or columns adds nothing.
+// The same for a QuadMesh node. The mesh has verticesPerColumn rows, and each row has
+// verticesPerRow points. The first point of the mesh has the index startIndex. Each quadrilateral
+// is divided by the diagonal from its first corner to the opposite corner, as in Coin. A mesh with
+// fewer than two rows or columns adds nothing.
 void appendTriangles(const SoQuadMesh& shape, std::span<const Vec3> points,
                      const std::string& where, std::vector<Triangle>& triangles);
 

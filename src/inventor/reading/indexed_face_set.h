@@ -1,4 +1,4 @@
-// Triangles of IndexedFaceSet nodes.
+// Converts IndexedFaceSet nodes to triangles.
 #pragma once
 
 #include <span>
@@ -10,16 +10,17 @@ class SoIndexedFaceSet;
 
 namespace resect {
 
-// Appends the triangles of a node's faces to `triangles`, as indices into `points`. points: the
-// coordinates in effect at the node. A face ends at a negative index or at the end of coordIndex.
-// Faces with fewer than three corners give no triangle; faces with more than three are triangulated
-// (geometry/polygon.h). The order of corners is kept, whatever a ShapeHints node says. If an index
-// is beyond the end of `points`, throws an Error that begins with `where`.
+// Appends the triangles of the node's faces to `triangles`. A face ends at a negative index, or at
+// the end of coordIndex. A face with fewer than three corners gives no triangle. A face with more
+// than three corners is triangulated (geometry/polygon.h). The order of the corners is kept, and
+// the vertex ordering in a ShapeHints node is ignored. points: the coordinates that are in effect
+// at the node; the triangles contain indices of these points. If an index is beyond the end of
+// `points`, throws an Error that begins with `where`.
 void appendTriangles(const SoIndexedFaceSet& shape, std::span<const Vec3> points,
                      const std::string& where, std::vector<Triangle>& triangles);
 
-// The same for a node of any other type whose faces end at negative indices. coordIndex: its field
-// of that name.
+// The same for a node of another type whose faces end at negative indices. coordIndex: values of
+// the node's field coordIndex.
 void appendFaces(std::span<const std::int32_t> coordIndex, std::span<const Vec3> points,
                  const std::string& where, std::vector<Triangle>& triangles);
 

@@ -1,4 +1,4 @@
-// Guard for Inventor and VRML files: rejects text that would crash Coin.
+// Checks Inventor and VRML files: rejects texts that would crash Coin.
 #pragma once
 
 #include <string>
@@ -6,19 +6,20 @@
 
 namespace resect {
 
-// Whether the bytes begin like an Inventor or VRML file ("#Inventor V", "#VRML V").
+// Whether the bytes begin with "#Inventor V" or "#VRML V", as an Inventor or VRML file does.
 bool isInventorFile(std::string_view bytes);
 
 // The format that the first line of the file names, for example "Inventor V2.1 binary", "VRML V1.0
-// ascii" or "VRML V2.0 utf8". "Inventor" if the line does not begin with '#'.
+// ascii" or "VRML V2.0 utf8". If the line does not begin with '#', the result is "Inventor".
 std::string inventorFormat(std::string_view bytes);
 
-// Scans a text file before Coin reads it. Throws an Error that gives the number of the line, if the
-// text has something that crashes Coin 4.0.0: nesting deeper than 500, a word longer than 200
-// characters, a node used inside itself, or a PROTO that contains itself. Brackets without a
-// partner and strings without an end are errors too. A binary file is not scanned. O(bytes). The
-// guard serves its error messages, not safety: the sandbox (formats/child/sandbox.h) contains
-// crashes and refuses access to other files.
+// Scans a text file before Coin reads it. Throws an Error with the number of the line if the text
+// contains something that crashes Coin 4.0.0: brackets nested more than 500 deep, a word of more
+// than 200 characters, a node that is used inside itself, or a PROTO that contains itself. Also
+// throws Error for brackets without a partner and for strings without an end. A binary file is not
+// scanned. Cost: O(n) for n bytes. This function is not needed for safety, but it gives better
+// error messages. For safety there is the sandbox (formats/child/sandbox.h): a crash in it does no
+// harm, and it refuses access to other files.
 void guardInventorFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect

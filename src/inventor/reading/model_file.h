@@ -1,4 +1,4 @@
-// Reads model files of all supported formats safely. Models from outside are read by these
+// Reads model files of all supported formats safely. Untrusted model files must be read by these
 // functions only.
 #pragma once
 
@@ -10,29 +10,33 @@
 
 namespace resect {
 
-// Reads .iv and .wrl (any version of Inventor or VRML), .obj, .stl, .ply, .off, .glb, .gltf, .3mf
-// and legacy .vtk; and label images: NIfTI, NRRD, MetaImage and DICOM segmentations. Each may be
-// gzip-compressed. The format is recognised by the first bytes if possible, otherwise by the
-// extension (formats/model_kind.h). The model is in metres: Inventor's Units nodes are applied, the
-// millimetres of images are converted, and all other numbers are taken as metres.
+// Reads surfaces from .iv and .wrl files (any version of Inventor or VRML) and from .obj, .stl,
+// .ply, .off, .glb, .gltf, .3mf and legacy .vtk files. Reads label images in the formats NIfTI,
+// NRRD, MetaImage and DICOM segmentation. Every file may be gzip-compressed. The format is
+// recognised by the first bytes if possible, otherwise by the extension (formats/model_kind.h). The
+// model is in metres. To get metres, Units nodes of Inventor files are applied, .3mf files are
+// converted from their unit, and images are converted from millimetres. All other coordinates are
+// taken as metres.
 //
-// parts: as a ModelReader takes it (io/operation_setup.h). The argument has an effect only for
-// label images (formats/labels/label_model.h).
+// parts: names of the needed parts, as in a call of a ModelReader (io/operation_setup.h). The
+// argument has an effect only for label images (labelModel() in formats/labels/label_model.h).
 //
-// A child process (formats/child/foreign_reading.h) reads the file. It may use 2 GB of memory. Its
-// processor time is limited to 5 s (60 s for an image), plus 1 s for each MB of the file. If the
-// file makes it crash or exceed a limit, an Error is thrown. A file is refused if it and the files
-// that it refers to have more than 1 GB in all.
+// A sandboxed child process (formats/child/foreign_reading.h) reads the file. The process may use
+// 2 GB of memory. Its processor time is limited to 5 s (60 s for an image), plus 1 s for each MB of
+// the files. Throws Error if the process crashes or exceeds a limit. Also throws Error if the file
+// and the files that it refers to are together larger than 1 GB.
 Model readModel(const std::filesystem::path& path, const std::string& parts = {});
 
-// The same with progress reports. For an Inventor or VRML file `progress` gets the fraction of the
-// file that has been read; for other formats it gets -1 while the file is read. At the end it gets
-// 1. Cancelling kills the child process.
+// The same with progress reports. While the file is read, `progress` gets a number that depends on
+// the format. For an Inventor or VRML file it is the fraction of the file that has been read. For a
+// label image it is the fraction of the model that has been made, or -1 before that. For all other
+// formats it is -1. At the end `progress` gets 1. If `progress` cancels the reading, the child
+// process is killed.
 Model readModelWatched(const std::filesystem::path& path, const Progress& progress,
                        const std::string& parts = {});
 
-// The same with a limit of `seconds` > 0 of processor time instead of 5 s; for an image the limit
-// is at least 60 s. In all cases 1 s for each MB of the file is added.
+// The same with another limit of processor time. seconds: this limit, which replaces the 5 s, > 0.
+// For an image the limit is at least 60 s. In all cases 1 s is added for each MB of the files.
 Model readModelWithin(const std::filesystem::path& path, double seconds,
                       const Progress& progress = {}, const std::string& parts = {});
 

@@ -8,14 +8,14 @@ class SoNode;
 
 namespace resect {
 
-// To be called for every node before it is traversed. action: the traversal in which the node was
-// reached. Throws an Error, beginning with `path`, for a node that makes Coin 4.0.0 crash or run
-// without end:
+// Call this for every node before Coin traverses the node. action: the traversal that has reached
+// the node. If the node would make Coin 4.0.0 crash or run without end, throws an Error that begins
+// with `path`. Such nodes are:
 // - an Array or MultipleCopy of more than 10 000 copies;
 // - a NURBS surface with control points or knots that are missing, too many or out of range;
 // - a profile that uses a missing point;
 // - an elevation grid with too few heights;
-// - an extrusion without scales or orientations, or of more than 10 000 000 points.
+// - an extrusion that has no scales, no orientations, or more than 10 000 000 points.
 void checkNodeLimits(const SoNode& node, SoCallbackAction& action, const std::string& path);
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// Finds the poses of camera and tools in the scene graph of a saved scene, by the names of their
-// nodes.
+// Finds the poses of camera and tools in the scene graph of a saved scene. The names of their nodes
+// tell where they are.
 #pragma once
 
 #include <optional>
@@ -11,16 +11,16 @@ class SoNode;
 
 namespace resect {
 
-// inventor/scene/scene_file.h writes these nodes: an Info node with the text kSceneMark as the
-// root's first child, a PerspectiveCamera with the name kCameraNode, and for each tool a Transform
-// with the name toolNode().
+// writeSceneFile() (inventor/scene/scene_file.h) writes these nodes: as the first child of the root
+// an Info node with the text kSceneMark, then a PerspectiveCamera with the name kCameraNode, and
+// for each tool a Transform with the name toolNode().
 constexpr const char* kSceneMark = "Resect operation";
 constexpr const char* kCameraNode = "Camera";
-std::string toolNode(int tool);  // tool: number of the tool, from 0
+std::string toolNode(int tool);  // name of the node of a tool; tool: its number, from 0
 
-// Returns nothing if Resect did not save the scene. The numbers are those in the file; checkModel()
-// (io/model.h) refuses numbers out of range. The caller must hold a reference to `root`
-// (SoNode::ref()).
+// Returns nothing if the scene has no Info node or camera as described above, which means that
+// Resect did not save it. The numbers in the result are not checked; checkModel() (io/model.h)
+// refuses numbers out of range. The caller must hold a reference to `root` (SoNode::ref()).
 std::optional<ScenePlaces> findPlaces(SoNode* root);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// Scene nodes for models.
+// Makes scene nodes for models.
 #pragma once
 
 #include <vector>
@@ -12,32 +12,34 @@ class SoTransform;
 
 namespace resect {
 
-// A scene graph that draws the triangles. An edge looks sharp if the normals of its two triangles
-// differ by more than `creaseDegrees`, otherwise smooth.
+// A scene graph that draws a mesh. An edge looks sharp if the normals of its two triangles differ
+// by more than `creaseDegrees`. All other edges look smooth.
 SoNode* makeModel(const TriangleMesh& mesh, double creaseDegrees = 30.0);
 
-// A scene graph that draws the part with its finish. If the part is a jaw, the jaw is closed.
+// A scene graph that draws a part of a tool with the part's finish. If the part is a jaw, the jaw
+// is closed.
 SoSeparator* makePart(const DrawnPart& part);
 
-// An instrument as a scene graph, and the transforms that turn its jaws. The jaws are closed at
-// first.
+// A tool as a scene graph, and the transforms that turn the tool's jaws. At first the jaws are
+// closed.
 struct ToolNodes {
   struct Jaw {
     SoTransform* transform;
     Vec3f axis;
-    float opens;  // rad: the angle about the axis when wide open
+    float opens;  // angle about `axis` at which the jaw is wide open, rad
   };
   SoNode* model;
   std::vector<Jaw> jaws;
 };
 
-// Nodes for the tool's drawn parts, or for its mesh if it has no drawn parts. The tool's model file
-// is not read. Throws Error if an index of a part is out of range, or if a part has normals, but
-// not one per point.
+// Makes nodes from the tool's drawn parts. If the tool has no drawn parts, makes nodes from the
+// tool's mesh. No file is read. Throws Error if an index in a mesh is out of range. Also throws
+// Error if a part has normals, but their number is not the number of points.
 ToolNodes makeToolNodes(const ToolModel& tool);
 
-// An invisible box round a model, at least 2 cm along each axis. It makes thin models easy to
-// click, and manipulators take their size from it. An empty model gets no box.
+// An invisible box round a model. The box is at least 2 cm long along each axis. It makes thin
+// models easy to click, and manipulators take their size from it. If the model is empty, there is
+// no box.
 SoNode* makePickProxy(SoNode* model);
 
 }  // namespace resect

@@ -1,19 +1,22 @@
-// The operating room as one Open Inventor scene, for pictures and for the window.
+// The operating room as one Open Inventor scene. Pictures and the window show this scene.
 //
 //   root Separator
 //     camera, lamps, the lamp at the eye, SoShadowMaps
 //     Separator { liver, SoTransform, Separator { colour, SoShadeOnce { SoOrganShape } } ... }
 //     Separator { steel, SoTransform, toolbox }
 //     Separator { Separator { SoTransform, SoSwitch { blood, steel, tool } } ... }
+//     Separator { steel, bare vessels }
 //     BloodPool
 //     Separator { cloth, table }
-//     Separator { Transform, Separator { cloth, drape } Separator { fat, ... } ... }
+//     Separator { SoTransform, Separator { cloth, drape } Separator { fat, ... } ... }
+//     Separator { drop, drops of blood }
 //     Separator { room, background }
 //     Separator { aids }
 //     Switch { scope, mask }
 //
-// Here liver, steel, cloth and room are shader programs (inventor/gl/materials.h). World: m, Y up,
-// the table's top at y = 0. The surgeon stands at +Z.
+// Here liver, steel, cloth, fat, drop, room and scope are shader programs
+// (inventor/gl/materials.h). Coordinates are in the world, m. Y is up, and the table's top is at
+// y = 0. The surgeon stands at +Z.
 #pragma once
 
 #include <optional>
@@ -51,14 +54,14 @@ enum class RoomView { Surgeon, Assistant, Top, Laparoscope };
 
 constexpr const char* kRoomViewNames = "surgeon, assistant, top or laparoscope";
 
-// Direction from the centre of a view to its camera, unit.
+// Direction from the centre of a view to the view's camera, unit.
 Vec3 towardsCamera(RoomView view);
 
-// The view of that name, if there is one.
+// The view with the name `name`. Returns nothing if there is no such view.
 std::optional<RoomView> roomView(std::string_view name);
 
-// Screen colours (sRGB) of the liver's capsule, of the gallbladder, and of a cut where no shader
-// draws it.
+// Screen colours (sRGB) of the liver's capsule and of the gallbladder. kCutColour is the colour of
+// cut tissue in pictures without shaders.
 inline const Vec3f kLiverColour{0.352f, 0.152f, 0.131f};
 inline const Vec3f kGallbladderColour{0.255f, 0.300f, 0.165f};
 inline const Vec3f kCutColour{0.52f, 0.13f, 0.11f};
@@ -72,64 +75,72 @@ class OperatingRoom {
 
   SoNode* root() const;
   SoPerspectiveCamera* camera() const { return camera_; }
-  // The shape of an organ. The room has one organ, number 0, from the start; addOrgan() adds
-  // others.
+  // The shape of an organ. From the start the room has one organ, which has the number 0.
+  // addOrgan() adds other organs.
   SoOrganShape* organ(int number = 0) const {
     require(number >= 0 && number < organCount(),
             "there is no organ {} among the room's {}; number from 0", number, organCount());
     return organs_[std::size_t(number)];
   }
   int organCount() const { return int(organs_.size()); }
-  // The surface of an added organ must be closed, since its back faces are not drawn.
+  // Adds an organ. Its surface must be closed, since back faces are not drawn. colour: screen
+  // colour of the uncut organ (sRGB).
   void addOrgan(const Vec3f& colour);
 
-  // `model` replaces the present table, tool box or field; nullptr removes it.
+  // The next three functions replace the table, the tool box or the operative field by `model`. If
+  // `model` is null, they only remove the table, the tool box or the field.
   void setTable(SoNode* model);
   void setToolbox(SoNode* model, const Pose& pose = {});
 
-  // The operative field (data/room/field.iv) round the organs, scaled to their box (world, m).
+  // model: the operative field (data/room/field.iv). It is placed round the organs, and scaled to
+  // their size. organs: box of the organs; world, m.
   void setField(SoNode* model, const Aabb& organs);
 
-  // Returns the tool's number; tools are numbered from 0 in the order in which they are added. The
-  // first form draws what makeToolNodes() makes, jaws included. `model` is in the tool's frame (m):
-  // tip at the origin, handle along +Z.
+  // Adds a tool and returns its number. Tools are numbered from 0, in the order in which they are
+  // added. The first function draws the nodes that makeToolNodes() makes, with jaws that can open.
+  // The second function draws `model`, which is in the tool's frame, m: the tip is at the origin,
+  // and the handle lies along +Z.
   int addTool(const ToolModel& tool);
   int addTool(SoNode* model);
   void setToolPose(int tool, const Pose& pose);
-  // From now on the tool is drawn only while its pose differs from `rest`. Without `rest` it is
-  // always drawn.
+  // From now on the tool is drawn only while its pose differs from `rest`. If `rest` is empty, the
+  // tool is always drawn.
   void hideAtRest(int tool, const std::optional<Pose>& rest);
-  // Opens or closes the jaws of a tool that has any. `squeeze`: 0 wide open to 1 closed. Returns
-  // false if nothing turned.
+  // Opens or closes the jaws of a tool. squeeze: 0 for wide open, 1 for closed, or a value in
+  // between. Returns whether a jaw has turned. A tool without jaws does not change.
   bool setToolSqueeze(int tool, double squeeze);
-  // Sets the distance from its tip up to which the tool is covered with blood, m.
+  // Sets how much of a tool is covered with blood. reach: the blood covers the tool from the tip up
+  // to this distance from the tip, m.
   void setToolBlood(int tool, double reach);
-  // The tool's SoTransform. If a manipulator has taken its place: the manipulator, which is an
-  // SoTransform too.
+  // The tool's SoTransform. If a manipulator has replaced it, the result is the manipulator, which
+  // is an SoTransform, too.
   SoTransform* toolTransform(int tool) const;
-  // Bounds of a tool, and of its manipulator if it has one; world, m.
+  // Bounds of a tool; world, m. If the tool has a manipulator, the bounds include the manipulator.
   Aabb toolBounds(int tool) const;
-  // Number of the tool that a path from root() leads through; -1 for none.
+  // Number of the tool through which a path from root() leads; -1 if it leads through no tool.
   int toolOfPath(const SoFullPath& path) const;
 
-  // Shows a mesh as the first organ, uncut, with smooth normals (geometry/normals.h). For an organ
-  // that changes, update organ() instead.
+  // Shows a mesh as the first organ. The organ is uncut and has smooth normals
+  // (geometry/normals.h). For an organ that changes, call update() of organ() instead.
   void setOrgan(const TriangleMesh& mesh, const Vec3f& colour = kLiverColour);
-  // Shows the blood on the table and in the air. Null: no blood.
+  // Shows the blood on the table and in the air. If `blood` is null, there is no such blood.
   void setLooseBlood(const LooseBlood* blood);
-  // Shows the bare vessels. Null: no vessels.
+  // Shows the bare vessels. If `vessels` is null, no bare vessels are shown.
   void setBareVessels(const BareVessels* vessels);
-  void setOrganColour(const Vec3f& colour);  // of the first organ
-  void setOrganPose(const Pose& pose);       // of all organs and tissues
+  void setOrganColour(const Vec3f& colour);  // sets the colour of the first organ
+  void setOrganPose(const Pose& pose);       // sets the pose of all organs and tissues
 
-  // Shows another mesh beside the organs, in their coordinate frame: vessels, gallbladder.
+  // Shows another mesh beside the organs, such as vessels or the gallbladder. The mesh has the
+  // coordinate frame of the organs.
   void addTissue(const TriangleMesh& mesh, const Vec3f& colour);
 
-  // Adds a callback in front of all nodes that handle events, so that it gets each event first.
+  // Adds a callback in front of all nodes that handle events. So the callback gets each event
+  // first.
   void addListener(SoEventCallback* listener);
   void removeListener(SoEventCallback* listener);
 
-  // Models and poses, for writing the room to a file. A null pointer: there is no model.
+  // The models and poses that are needed to write the room to a file. A null pointer means that
+  // there is no model.
   SoNode* tableModel() const;
   SoNode* toolboxModel() const;
   Pose toolboxPose() const;
@@ -137,36 +148,41 @@ class OperatingRoom {
   SoNode* toolModel(int tool) const;
   const SoSpotLight* lamp(int which) const { return lamps_[which]; }  // which: 0 or 1
 
-  // Aids for the operator that are not part of a real room: draggers, markers. They cast no shadows
-  // and are drawn without shaders.
+  // Draggers and markers, which help the operator but are not part of a real room. They cast no
+  // shadows and are drawn without shaders.
   SoSeparator* aids() const { return aids_; }
 
-  // Call after a change of organs, tools or tool box. `box`: contains the change, world, m. The
-  // next picture redraws the shadows inside all boxes given since the last picture. If a box was
-  // empty, or something changed without a call of changedIn(), it redraws all shadows.
+  // Call this after a change of organs, tools or tool box. box: contains the change; world, m. The
+  // next picture redraws the shadows inside all boxes that were given since the last picture. It
+  // redraws all shadows if one of these boxes was empty, or if something has changed and no box was
+  // given.
   void changedIn(const Aabb& box);
 
   const SoShadowMaps& shadows() const { return *shadows_; }
-  // Texels along each side of the shadow maps: fewer are faster.
+  // texels: number of texels along each side of the shadow maps. With fewer texels drawing is
+  // faster.
   void setShadowResolution(int texels);
-  void holdShadows(bool held);  // true: drawn shadows are kept until holdShadows(false)
+  void holdShadows(bool held);  // true: shadows are not redrawn until holdShadows(false)
 
-  // Aims lamps and shadows at the box, world, m. Call it once per scene and when the organ's pose
-  // is set, but not in every frame: the light would flicker.
+  // Aims lamps and shadows at a box; world, m. Call this once per scene, and again when the organ's
+  // pose has been set. Do not call it in every frame, since the light would flicker.
   void lightUp(const Aabb& box);
 
-  // Aims the camera at the box (world, m), so that all of it is in a picture. `aspect`: the
-  // picture's width / height.
+  // Aims the camera at a box. The picture contains the whole box, except in the view of the
+  // laparoscope: there, corners of the box may be outside the picture. box: world, m. aspect:
+  // width / height of the picture.
   void look(RoomView view, const Aabb& box, double aspect);
-  // As look(), but the middle of the box is in the middle of the picture, and the camera is as near
-  // as it can be with all corners of the box in the picture.
+  // Aims the camera at the middle of a box. The camera is as near as possible while all corners of
+  // the box are in the picture. box, aspect: as in look().
   void frame(RoomView view, const Aabb& box, double aspect);
-  // Aims the camera at `centre` (world, m) and places it so that an object whose silhouette in this
-  // view has the area `silhouette`, m^2, fills the fraction `share` of the picture.
+  // Aims the camera at `centre` (world, m). The distance of the camera is such that the silhouette
+  // of an object fills the fraction `share` of the picture. silhouette: area of this silhouette in
+  // the view, m^2.
   void closeUp(RoomView view, const Vec3& centre, double silhouette, double share, double aspect);
-  // Moves the camera so that all of the box is in a picture. The camera's direction stays.
+  // Moves the camera so that the picture contains the whole box. The camera keeps its direction.
+  // box, aspect: as in look().
   void viewAll(const Aabb& box, double aspect);
-  bool throughScope() const;  // whether the picture is the round one of a laparoscope
+  bool throughScope() const;  // whether the picture is round, as that of a laparoscope
 
  private:
   void requireTool(int tool) const;
@@ -177,23 +193,25 @@ class OperatingRoom {
   SoSeparator* root_;
   SoPerspectiveCamera* camera_;
   SoSpotLight* lamps_[2];
-  SoSpotLight* head_;  // at the eye
+  SoSpotLight* head_;  // the light at the eye
   SoSwitch* scope_;    // the mask round a laparoscope's picture
   SoShadowMaps* shadows_;
   SoSeparator* casters_;
   SoSeparator* table_;
   SoSeparator* field_;
-  SoSwitch *fieldWall_, *fieldDome_;  // the opened wall, and the wall as a laparoscope sees it
+  // The opened abdominal wall, and the abdominal wall as a laparoscope sees it.
+  SoSwitch *fieldWall_, *fieldDome_;
   SoSeparator* bare_;
   SoBloodPool* pool_;
   SoCoordinate3* drops_;
   SoSeparator* toolbox_;
   SoTransform* toolboxPose_;
   SoSeparator* tools_;
-  // Per tool: its transform and its model. Manipulators are left out, since they cast no shadow.
+  // For each tool: a transform and the tool's model. These nodes do not include manipulators, since
+  // manipulators cast no shadow.
   SoSeparator* toolShadows_;
-  std::vector<std::vector<ToolNodes::Jaw>> jaws_;  // per tool
-  std::vector<std::optional<Pose>> hiddenAt_;      // per tool: `rest` of hideAtRest()
+  std::vector<std::vector<ToolNodes::Jaw>> jaws_;  // the jaws of each tool
+  std::vector<std::optional<Pose>> hiddenAt_;      // for each tool: `rest` of hideAtRest()
   SoSeparator* tissue_;
   SoTransform* organPose_;
   SoBaseColor* organColour_;
@@ -203,8 +221,8 @@ class OperatingRoom {
   SoSeparator* aids_;
 };
 
-// setPose() sets the position and rotation of an Inventor transform and keeps its scale. getPose()
-// returns position and rotation and ignores the scale.
+// setPose() sets the position and rotation of an Inventor transform, and keeps the transform's
+// scale. getPose() returns position and rotation, and ignores the scale.
 void setPose(SoTransform* transform, const Pose& pose);
 Pose getPose(const SoTransform& transform);
 

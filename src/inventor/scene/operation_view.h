@@ -1,4 +1,4 @@
-// View of an operation: the operating room with a scenario's organs and tools.
+// Shows an operation: the operating room with the organs and tools of a scenario.
 #pragma once
 
 #include <string>
@@ -14,43 +14,46 @@ class SoNode;
 
 namespace resect {
 
-// Reads the model "table", "toolbox" or "field" from Resect's own data folder, and returns it as a
-// scene graph with its materials. Coin reads no other files in this process. All other model files
-// are read by readModel(), in a child process.
+// Reads the model "table", "toolbox" or "field" from Resect's own data folder. Returns the model as
+// a scene graph with its materials. In this process Coin reads no other files: readModel()
+// (inventor/reading/model_file.h) reads all other model files in a child process.
 SoNode* readRoomModel(const std::string& name);
 
-// Screen colour (sRGB) of an organ that has not been cut.
+// Screen colour (sRGB) of an organ before any cut.
 Vec3f organColour(const OrganSource& organ);
 
 class OperationView {
  public:
-  // Sets up room, tools and organs. Aims the lamps at the organs. Aims the camera at
-  // scenario.closeUp if that is set, otherwise at the organs. `aspect`: width / height of the
-  // picture. Calls simulation.keepLook(). If there is no view named scenario.view (roomView()),
-  // throws an Error that lists the views.
+  // Sets up room, tools and organs, and calls simulation.keepLook(). Aims the lamps at the organs.
+  // If scenario.closeUp is set, aims the camera at this box, otherwise at the organs. aspect:
+  // width / height of the picture. If no view has the name scenario.view (roomView()), throws an
+  // Error that lists the views.
   OperationView(const Scenario& scenario, Simulation& simulation, double aspect);
 
-  // Call after every step. Moves the tools and applies the changes of all organs' surfaces.
+  // Call this after every step. It moves the tools, applies the changes of all organs' surfaces,
+  // and shows blood and bare vessels as they are now.
   void follow(const Simulation& simulation);
-  // For an operation that runs in another thread. Applies the changes of the organs' surfaces, one
-  // update per organ; moves no tools.
+  // For an operation that runs in another thread. Applies the changes of the organs' surfaces, and
+  // does nothing else. updates: one update per organ.
   void follow(std::span<const SurfaceUpdate> updates);
 
   RgbImage draw(OffscreenView& picture) const;
 
-  // Shows the operative field round the organs, or table and tool box if the scenario has them. In
-  // the field, tools are hidden while they are at rest: they lie on a stand beside the patient.
+  // field = true: shows the operative field round the organs. Tools are then hidden while they are
+  // at their rest poses, since they lie on a stand beside the patient. field = false: shows the
+  // table and the tool box, if the scenario has them.
   void showField(bool field);
 
   OperatingRoom& room() { return room_; }
 
  private:
   OperatingRoom room_;
-  std::vector<double> bloody_;  // per tool: distance from its tip that blood covers, m
-  Aabb organs_;                 // box of the organs at rest, world, m
-  std::vector<Pose> rests_;
-  bool table_, toolBox_;  // whether the scenario has them
-  // One per organ of the simulation. These publishers publish every motion, however small.
+  std::vector<double> bloody_;  // for each tool: distance from its tip that blood covers, m
+  Aabb organs_;                 // box of the organs at rest; world, m
+  std::vector<Pose> rests_;     // rest poses of the tools
+  bool table_, toolBox_;        // whether the scenario has a table and a tool box
+  // One publisher per organ of the simulation. These publishers publish every motion, even the
+  // smallest.
   std::vector<SurfacePublisher> publishers_;
 };
 

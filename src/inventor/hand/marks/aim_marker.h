@@ -1,6 +1,7 @@
-// Marks on an organ's surface where a guided instrument works: a ring at the working point, an
-// arrow in the direction of the hand's heading (SurfaceHand::heading), and opposite the arrow one
-// tick per 5 mm of working depth. There are no ticks while the hand works at a target.
+// Marks where a guided instrument works: a ring round the working point (workPoint() in
+// operation/hand/surface_hand.h), an arrow, and ticks. The arrow has the direction of
+// SurfaceHand::heading. The ticks are on the other side of the ring; each tick stands for 5 mm of
+// working depth. There are no ticks while the hand has a target (SurfaceHand::target).
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// Marks the ends at which vessels bleed, for an instrument that can stop the bleeding: a ring round
-// each end. The more the end bleeds, the larger is its ring.
+// Marks the ends at which vessels bleed. Each end gets a ring. The more an end bleeds, the larger
+// is its ring. The marks are meant for instruments that can stop bleeding.
 #pragma once
 
 #include <optional>
@@ -11,11 +11,12 @@
 
 namespace resect {
 
-inline constexpr double kLeastMarkedFlow = 3e-9;  // m^3/s: ends that bleed less have no ring
+// m^3/s: the caller of bleedingRings() leaves out ends that bleed less.
+inline constexpr double kLeastMarkedFlow = 3e-9;
 
-// A ring for each end. chosen: the point (world, m) at which the instrument in hand works when it
-// is pressed; the ring of the end nearest to this point is white and double. towardsEye: direction
-// that the rings face, unit.
+// The rings of all `ends`. chosen: the point at which the instrument in hand works when it is
+// pressed; world, m. If the end that is nearest to this point is at most 6 mm away, its ring is
+// white and double. towardsEye: direction that the rings face, unit.
 std::vector<MarkLine> bleedingRings(std::span<const BleedingEnd> ends,
                                     const std::optional<Vec3>& chosen, const Vec3& towardsEye);
 

@@ -1,5 +1,6 @@
-// Guidance drawn into the scene: lines that mark the places of a task's goal. Their colour shows
-// how well the instrument in hand keeps to the goal. They are visible through tissue too.
+// Draws guidance into the scene: lines that mark the places of a task's goal. The colour of the
+// lines shows how well the instrument in hand keeps to the goal. The lines are visible through
+// tissue, too.
 #pragma once
 
 #include <optional>
@@ -11,39 +12,48 @@ namespace resect {
 
 struct Guide {
   enum class Kind {
-    Targets,  // touch places[next] within `radius`
-    Line,     // keep within `radius` of the polyline through `places`
-    Plane,    // keep within `radius` of the plane through places[0]
-    Ball      // keep `margin` away from a structure: a ball with `radius` round places[0]
+    // The tip should come within `radius` of places[next].
+    Targets,
+    // The instrument should stay within `radius` of the polyline through `places`, in their order.
+    Line,
+    // The tip should stay within `radius` of the plane through places[0] with the normal `normal`.
+    Plane,
+    // The tip should stay `margin` away from a structure. The structure is approximated by a ball
+    // with the radius `radius` round places[0].
+    Ball
   };
   Kind kind = Kind::Targets;
   std::vector<Vec3> places;     // world, m
   std::size_t next = 0;         // index in `places` of the next target
-  double radius = 0.006;        // m
-  double margin = 0;            // m
-  Vec3 normal = Vec3::UnitX();  // of the plane, unit
-  Aabb box;                     // the part of a plane that is drawn covers this box; world, m
+  double radius = 0.006;        // m, see Kind
+  double margin = 0;            // m, see Kind
+  Vec3 normal = Vec3::UnitX();  // normal of the plane, unit
+  Aabb box;                     // a plane is drawn as far as this box extends; world, m
 };
 
-// The instrument in hand: its tip, and a point of its shaft, world, m.
+// Two points of the instrument in hand: its tip, and a point of its shaft; world, m.
 struct GuidedTip {
   Vec3 tip, shaft;
 };
 
-// Distance, m, of the instrument from the next target, from the line, from the plane, or from the
-// structure's surface (negative: within it). None if there is nothing to keep to.
+// Distance of the instrument from what it should keep to, m. Targets: distance of the tip from the
+// next target. Line: distance of the polyline from the straight line between the tip and the point
+// of the shaft. Plane: distance of the tip from the plane. Ball: distance of the tip from the
+// surface of the ball; it is negative inside the ball. Returns nothing if the guide has no places,
+// or no next target.
 std::optional<double> distanceFrom(const Guide& guide, const GuidedTip& tip);
 
-// How an instrument keeps to a guide, by its distance (distanceFrom()):
-// - Targets: Well up to the radius, otherwise Far.
-// - Line and Plane: Well up to the radius, Near up to twice the radius, Wrong up to 30 mm, Far
-//   beyond 30 mm.
-// - Ball: Wrong in the structure, Near up to the margin, Well up to 10 mm more than the margin, Far
-//   beyond that.
+// How well an instrument keeps to a guide. This depends on the distance that distanceFrom() gives:
+// - Targets: Well up to the radius, Far beyond it.
+// - Line and Plane: Well up to the radius. Far at more than 30 mm. In between, Near up to twice the
+//   radius, and Wrong beyond it.
+// - Ball: Wrong inside the ball. Outside the ball, Near up to the margin, Well up to 10 mm more
+//   than the margin, and Far beyond that.
 enum class Keeping { Far, Well, Near, Wrong };
 Keeping keepingOf(const Guide& guide, double distance);
 
-// towardsEye: direction that the rings face, unit.
+// The lines that show a guide. Their colours depend on `keeping`. towardsEye: direction that rings
+// face, unit.
 std::vector<MarkLine> guideLines(const Guide& guide, Keeping keeping, const Vec3& towardsEye);
 
 }  // namespace resect

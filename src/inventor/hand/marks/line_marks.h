@@ -1,4 +1,5 @@
-// Lines in the scene that inform the user: unlit, in plain colours, never picked.
+// Lines in the scene that inform the user. Lamps do not change their colours, and the mouse cannot
+// pick them.
 #pragma once
 
 #include <vector>
@@ -18,23 +19,23 @@ struct MarkLine {
   std::vector<Vec3> points;  // world, m
 };
 
-// Points along a closed circle in the plane perpendicular to `axis` (unit); middle and radius in m.
+// Points along a closed circle. middle, radius: m. axis: normal of the circle's plane, unit.
 std::vector<Vec3> circle(const Vec3& middle, double radius, const Vec3& axis);
 
 class LineMarks {
  public:
   struct Style {
     float width = 2;            // pixels
-    bool throughTissue = true;  // also draw the lines where tissue hides them
-    double seen = 0.5e-3;       // m: smaller motions are not shown
+    bool throughTissue = true;  // the lines are drawn even where tissue hides them
+    double seen = 0.5e-3;       // m: show() ignores smaller motions of the lines
   };
   LineMarks(SoSeparator* parent, const Style& style);
   ~LineMarks();
   LineMarks(const LineMarks&) = delete;
   LineMarks& operator=(const LineMarks&) = delete;
 
-  // Shows these lines instead of the previous ones; an empty list hides all. Returns the box that
-  // must be drawn again, world, m: empty if nothing changed visibly.
+  // Shows `lines` instead of the previous lines. If `lines` is empty, no line is shown. Returns the
+  // box that must be drawn again; world, m. The box is empty if nothing has changed visibly.
   Aabb show(std::vector<MarkLine> lines);
 
  private:
