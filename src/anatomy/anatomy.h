@@ -24,11 +24,12 @@ std::string_view nameOf(VesselKind kind);
 
 struct VesselSegment {
   VesselKind kind = VesselKind::PortalVein;
-  std::int32_t parent = -1;   // segment at whose end this one begins; -1: root of a tree
-  Vec3 start = Vec3::Zero();  // end on the side of the root, rest space, m
-  Vec3 end = Vec3::Zero();    // m
-  double radius = 0;          // of the lumen, m
-  bool leaf = false;          // whether it ends among the sinusoids; also called a terminal
+  // Index of the segment at whose end this segment begins; -1: this segment is the root of a tree.
+  std::int32_t parent = -1;
+  Vec3 start = Vec3::Zero();  // the end nearer to the root, rest space, m
+  Vec3 end = Vec3::Zero();    // the other end, rest space, m
+  double radius = 0;          // radius of the lumen, m
+  bool leaf = false;          // whether the segment ends among the sinusoids (leaf, terminal)
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -40,7 +41,8 @@ struct VesselSegment {
   Vec3 at(double share) const { return start + share * (end - start); }  // share: 0 to 1
 };
 
-// The consecutive segments of one kind: their first index and their number.
+// The segments of one kind, which are consecutive. first: index of the first segment. count: number
+// of segments.
 struct VesselRange {
   std::int32_t first = 0, count = 0;
 };
@@ -53,20 +55,22 @@ struct Anatomy {
   VesselRange range(VesselKind kind) const { return ranges[std::size_t(kind)]; }
 };
 
-// Sets the ranges of the kinds. Throws Error unless segments of one kind are stored together, each
-// parent comes before its child and has the same kind, and all numbers are finite with radius > 0.
+// Makes an anatomy from segments and sets its ranges. Throws Error in these cases: the segments of
+// one kind are not stored together; a parent does not come before its child, or has another kind; a
+// number is not finite; a radius is not positive.
 Anatomy makeAnatomy(std::vector<VesselSegment> segments);
 
 // The anatomy with every position transformed by the pose.
 Anatomy transformed(Anatomy anatomy, const Pose& pose);
 
-// The points of the segments p-q and a-b that are nearest to each other, as fractions of the
-// segments' lengths, 0 to 1: `first` from p to q, `second` from a to b.
+// Two points that are nearest to each other: one on the line segment from p to q, the other on the
+// line segment from a to b. first: the point on p-q, as a fraction of the way from p to q, 0 to 1.
+// second: the point on a-b, as a fraction of the way from a to b, 0 to 1.
 struct NearestPlaces {
   double first = 0, second = 0;
 };
 NearestPlaces nearestPlaces(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b);
-// Distance between the two nearest points, m.
+// The distance between these two points, m.
 double segmentDistance(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b);
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// Measures the vessels of an organ: sizes, whether any leaves the organ, and whether any meets a
-// vessel of another kind.
+// Measures the vessels of an organ: their sizes, the length that sticks out of the organ, and the
+// gaps between vessels of different kinds.
 #pragma once
 
 #include <array>
@@ -24,30 +24,32 @@ struct VesselMeasures {
 
 struct AnatomyMeasures {
   std::array<VesselMeasures, kVesselKinds> kinds;
-  // Per pair of kinds: the number of pairs of segments that overlap, and the least gap between
-  // their walls, m. A gap is negative where vessels overlap; gaps above 5 mm count as 5 mm. Stems
-  // are left out.
+  // Two measures per pair of kinds. crossings: number of pairs of segments that overlap. gaps:
+  // least gap between the walls of two segments, m. A gap is negative if the segments overlap; a
+  // gap above 5 mm counts as 5 mm. Stems are left out.
   std::array<std::array<int, kVesselKinds>, kVesselKinds> crossings{};
   std::array<std::array<double, kVesselKinds>, kVesselKinds> gaps{};
 };
 
-// surface: of the organ; closed, oriented outwards, in the same position as the anatomy.
+// surface: the organ's surface, closed and oriented outwards, in the same coordinates as the
+// anatomy.
 AnatomyMeasures measure(const Anatomy& anatomy, const TriangleMesh& surface);
 
 // Volumes of Couinaud's segments I to VIII in the organ, m^3, computed from points 2.5 mm apart.
 std::array<double, kLiverSegments> segmentVolumes(const LiverSegments& segments,
                                                   const TriangleMesh& surface);
 
-// A vessel with a name: a segment whose parent has another name or none, and all segments after it
-// in the tree that have the same name.
+// A vessel with a name. Its first segment is a root, or the parent of its first segment has another
+// name. The segments that follow and have the same name also belong to the vessel.
 struct NamedVessel {
   std::string name;
   VesselKind kind = VesselKind::PortalVein;
-  std::int32_t segment = -1;   // its first segment
+  std::int32_t segment = -1;   // index of the first segment
   double radius = 0;           // of the first segment, m
-  std::int32_t terminals = 0;  // in the subtree that begins with the first segment
+  std::int32_t terminals = 0;  // number in the subtree from the first segment on
 };
-// The vessels with at least `terminals` terminals, ordered as their first segments in the anatomy.
+// The vessels with at least `terminals` terminals, in the order of their first segments in the
+// anatomy.
 std::vector<NamedVessel> namedVessels(const Anatomy& anatomy, const LiverSegments& segments,
                                       std::int32_t terminals);
 

@@ -1,4 +1,4 @@
-// The kinds of structures in and on an organ, with one name each. Scenarios, the parts of model
+// The kinds of structures in and on an organ. Each kind has one name. Scenarios, the parts of model
 // files and label images all use these names.
 #pragma once
 
@@ -15,7 +15,7 @@ enum class StructureKind {
   Tumour,
   Cyst,
   Gallbladder,
-  Cavity,  // without tissue, as the lumen of a hollow organ
+  Cavity,  // a space without tissue, such as the lumen of a hollow organ
   PortalVein,
   HepaticVein,
   HepaticArtery,
@@ -23,15 +23,16 @@ enum class StructureKind {
 };
 inline constexpr int kStructureKinds = 9;
 
-// The name of a kind in files, such as "tumour" or "portal-vein"; vessels have the names of their
-// VesselKind.
+// The name of a kind in files, such as "tumour" or "portal-vein". A kind of vessel has the name of
+// its VesselKind.
 std::string_view wordOf(StructureKind kind);
 // All names, as "parenchyma, tumour, ...", for messages.
 std::string structureWords();
 
-// The kind that a name stands for: the name is, or begins with, the name of a kind or a usual
-// synonym of it. Case does not matter; words may be separated by spaces, "-" or "_". Examples:
-// "Tumour 2", "metastasis", "portal_vein_left". Empty if the name stands for no kind.
+// The kind that a name stands for. The name must begin with the name of a kind, or with a usual
+// synonym of such a name. Case does not matter; words may be separated by spaces, "-" or "_".
+// Examples: "Tumour 2", "metastasis", "portal_vein_left". The result is empty if the name stands
+// for no kind.
 std::optional<StructureKind> structureKind(std::string_view name);
 
 // The kind of the vessel; empty if the structure is no vessel.

@@ -17,8 +17,8 @@ class VesselIndex {
   VesselIndex() = default;
   explicit VesselIndex(std::span<const VesselSegment> segments);
 
-  // The segments that may meet the box, ascending, each once. `found` is overwritten; its memory is
-  // reused.
+  // Overwrites `found` with the indices of the segments that may meet the box: ascending, each
+  // index once. The memory of `found` is reused.
   void near(const Aabb& box, std::vector<std::int32_t>& found) const;
   std::size_t bytes() const {
     return first_.capacity() * sizeof(std::int32_t) + listed_.capacity() * sizeof(std::int32_t);
@@ -30,7 +30,8 @@ class VesselIndex {
 
   Aabb box_;
   Vec3i dims_ = Vec3i::Zero();
-  std::vector<std::int32_t> first_, listed_;  // bin b lists listed_[first_[b]] to [first_[b + 1]]
+  // Bin b lists the segments listed_[i] with first_[b] <= i < first_[b + 1].
+  std::vector<std::int32_t> first_, listed_;
 };
 
 }  // namespace resect

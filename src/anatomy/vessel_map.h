@@ -1,5 +1,5 @@
 // An organ's anatomy together with the index that finds vessels by position. A VesselMap never
-// changes after it was made, so copies of an organ share it.
+// changes after it was made, so copies of an organ share one VesselMap.
 #pragma once
 
 #include <memory>
@@ -14,10 +14,11 @@ namespace resect {
 struct VesselMap {
   Anatomy anatomy;  // in rest space
   VesselIndex index;
-  std::optional<LiverSegments> segments;  // Couinaud's; empty if they cannot be found
+  // The segments after Couinaud; empty if they cannot be found from the vessels.
+  std::optional<LiverSegments> segments;
 
   // The name of the vessel that a segment belongs to, such as "right portal vein". If Couinaud's
-  // segments are not known, it is the name of the kind.
+  // segments are not known, the result is the name of the vessel's kind.
   std::string nameOf(std::int32_t segment) const {
     if (segments) return segments->nameOf(anatomy, segment);
     return std::string(resect::nameOf(anatomy.segments[std::size_t(segment)].kind));

@@ -1,10 +1,10 @@
 // Changes to the vessels of an organ during an operation: cuts, clips and seals, and the functions
-// that make them.
+// that make these changes.
 //
-// To compute cuts, a vessel is represented by 19 lines parallel to its axis, its filaments: one in
-// the middle, six at half its radius and twelve at 0.87 of it. Each stands for the same share of
-// the cross-section. So a cut may open only a part of the wall. A vessel with more than nine tenths
-// of its filaments cut is severed and has two open ends.
+// Cuts are computed with 19 lines in each vessel, parallel to its axis: the filaments. One filament
+// runs in the middle, six run at half the vessel's radius, and twelve at 0.87 of the radius. Each
+// filament stands for the same share of the cross-section. So a cut can open a part of the wall
+// only. A vessel with more than nine tenths of its filaments cut is severed and has two open ends.
 #pragma once
 
 #include <bit>
@@ -30,9 +30,9 @@ struct VesselInjury {
   std::int32_t segment = -1;
   std::uint32_t cut = 0;    // bit f: filament f is cut
   double from = 1, to = 0;  // the wall is open between these fractions of the segment's length
-  std::uint8_t sealed = 0;  // bit 0: the end towards the root; bit 1: the far end
-  double flow[2] = {0, 0};  // per VesselEnd: flow out of it in the last frame, m^3/s
-  double bled = 0;          // volume of blood lost since the cut, m^3
+  std::uint8_t sealed = 0;  // bit 0: end towards the root is sealed; bit 1: far end is sealed
+  double flow[2] = {0, 0};  // per VesselEnd: flow out of this end in the last frame, m^3/s
+  double bled = 0;          // blood that this injury has lost so far, m^3
 
   double share() const { return double(std::popcount(cut)) / kFilaments; }
   bool severed() const { return share() > kSevered; }
@@ -49,7 +49,7 @@ struct VesselInjury {
 // the same effect.
 struct VesselClip {
   std::int32_t segment = -1;
-  double share = 0;  // fraction of the segment's length
+  double share = 0;  // position, as a fraction of the segment's length
   bool byHeat = false;
 
   template <class Visitor>
@@ -74,13 +74,14 @@ struct SegmentPart {
 struct VesselState {
   std::vector<VesselInjury> injuries;  // ascending by segment
   std::vector<VesselClip> clips;       // ascending by segment and share
-  std::vector<std::int32_t> bared;     // segments that lie bare of tissue somewhere; ascending
+  std::vector<std::int32_t> bared;     // segments that are bare somewhere; ascending
   std::vector<SegmentPart> apart;      // ascending by segment
   bool inflowClamped = false;          // portal vein and artery are closed outside the organ
-  double clampedTime = 0;              // how long they have been closed in all, s
+  double clampedTime = 0;              // total time with the inflow clamped, s
 
   const VesselInjury* injury(std::int32_t segment) const;
-  // Whether a clip closes this end of an injured vessel; whether a segment has any clip.
+  // clipped(injury, end): whether a clip closes this end of an injured vessel. clipped(segment):
+  // whether the segment has any clip.
   bool clipped(const VesselInjury& injury, VesselEnd end) const;
   bool clipped(std::int32_t segment) const;
   void addClip(const VesselClip& clip);
@@ -98,18 +99,19 @@ struct Filament {
 };
 Filament filamentOf(const VesselSegment& segment, int filament);
 
-// The next three functions cut the filaments that a blade, a box or a face crosses (rest space, m).
-// They append to `cut` each segment of which they cut a filament that was whole. Cost: proportional
-// to the number of segments near the blade, box or face.
+// The next three functions cut the filaments that cross a blade, a box or a face. Blade, box and
+// face are in rest space, m. If a segment loses a filament that was whole before, the function
+// appends this segment to `cut`. Cost: proportional to the number of segments near the blade, box
+// or face.
 void cutVessels(const Anatomy& anatomy, const VesselIndex& index, const SweptBlade& blade,
                 VesselState& state, std::vector<std::int32_t>& cut);
-// Cuts the vessels with a radius below `spared`, m, where they run in the box. The others become
-// bare there.
+// Of the vessels in the box, cuts the vessels with a radius below `spared`, m. The wider vessels
+// become bare there.
 void cutVessels(const Anatomy& anatomy, const VesselIndex& index, const Aabb& box, double spared,
                 VesselState& state, std::vector<std::int32_t>& cut);
 
-// face: the face along which tissue tore. Cuts the vessels with a radius below `spared`, m, that
-// cross it. The others become bare there.
+// face: the face along which tissue tore. Of the vessels that cross the face, cuts the vessels with
+// a radius below `spared`, m. The wider vessels become bare there.
 void tearVessels(const Anatomy& anatomy, const VesselIndex& index, const SweptBlade& face,
                  double spared, VesselState& state, std::vector<std::int32_t>& cut);
 
@@ -121,9 +123,10 @@ void divideVessel(std::int32_t segment, double share, VesselState& state,
 // of up to 7 mm diameter.
 inline constexpr double kWidestSealed = 0.0035;
 
-// Seals vessels where tissue is coagulated all round their lumen: open ends of injuries anywhere,
-// and places along the uninjured vessels in a box in rest space. coagulated: the coagulated share,
-// 0 to 1, of the tissue at a point in rest space.
+// Seals vessels at places where tissue is coagulated all round the lumen. Open ends of injured
+// vessels are sealed everywhere. Other vessels are closed by heat (VesselClip::byHeat) only inside
+// the box, which is in rest space. coagulated: the coagulated share, 0 to 1, of the tissue at a
+// point in rest space.
 void sealVessels(const Anatomy& anatomy, const VesselIndex& index, const Aabb& box,
                  const std::function<double(const Vec3&)>& coagulated, VesselState& state);
 

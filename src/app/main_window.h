@@ -42,10 +42,10 @@ class Viewer;
 
 // A place that a teacher has marked on the organ.
 struct MadeMark {
-  Vec3 rest, seen;                    // the place in rest space; the place in the world; m
-  Vec3 normal;                        // of the surface there, unit
-  std::optional<VesselPlace> vessel;  // the vessel to be divided there
-  Vec3 view = Vec3::UnitZ();          // camera's direction when it was marked, unit
+  Vec3 rest, seen;                    // the place in rest space; the same place in the world; m
+  Vec3 normal;                        // normal of the surface at this place, unit
+  std::optional<VesselPlace> vessel;  // the vessel to be divided at this place
+  Vec3 view = Vec3::UnitZ();          // camera's direction when the mark was made, unit
 };
 
 // A teacher's own attempt at the exercise that is being made.
@@ -61,10 +61,11 @@ class MainWindow : public QMainWindow {
 
   bool load(const Scenario& scenario);  // false: the user keeps the present operation
   // Shows a sentence over the picture until the user clicks it, another sentence replaces it, or
-  // holds() is false. Without holds(), it disappears 8 s after the user's next input elsewhere.
+  // holds() is false. Without holds(), the sentence disappears 8 s after the user's next input
+  // elsewhere.
   void complain(const std::string& sentence, std::function<bool()> holds = {});
   // Plays the scenario's motions up to the scenario time `until`, s. Begins where the last call
-  // ended, or at the start of the motions if they are over or were stopped.
+  // ended. If the motions are over or were stopped, begins at their start.
   void play(double until);
 
  protected:
@@ -90,7 +91,7 @@ class MainWindow : public QMainWindow {
   QString nextStep() const;
   QString howLongClosed() const;
   void followPanels(const LiveState& state, qint64 now);
-  bool begin(OrganLoader::Result result);  // false: it cannot be shown; the user was told
+  bool begin(OrganLoader::Result result);  // false: cannot be shown; the user was told
   std::shared_ptr<Recorder> record(const OrganLoader::Result& result);
   // anew: the operation starts again from its beginning, and the recorded work is not repeated.
   void openOperation(const QString& file, bool anew = false);
@@ -109,7 +110,7 @@ class MainWindow : public QMainWindow {
   void film(qint64 now);  // now: ms since 1970
   void listenToScript();
   void writeScene(const std::string& file);
-  // Throws Error if the operation has read the file, or will read it again.
+  // Throws Error if the operation has read this file, or will read it again.
   void checkWritten(const std::string& file) const;
   void openFile(const QString& file);
   void askOrgan(const QString& file);
@@ -176,7 +177,7 @@ class MainWindow : public QMainWindow {
             const std::function<void(const std::string&)>& write);
 
   WindowOptions options_;
-  std::shared_ptr<Recorder> recorder_;  // of the present operation; null: it is not recorded
+  std::shared_ptr<Recorder> recorder_;  // recorder of the present operation; null: none
   std::unique_ptr<OperatingSession> session_;
   OrganLoader loader_;
   OperationLoader operations_;
@@ -212,22 +213,25 @@ class MainWindow : public QMainWindow {
   std::vector<MadeMark> madeMarks_;
   std::vector<MadeTry> madeTries_;
   bool marking_ = false;                  // the next click marks a place
-  std::shared_ptr<LiveAttempt> attempt_;  // at the exercise begun last; null: none
+  std::shared_ptr<LiveAttempt> attempt_;  // attempt at the last exercise; null: none
   bool attemptEnded_ = false;
-  bool waitsForHand_ = false;  // the exercise's time has not started: no instrument was taken
+  bool waitsForHand_ = false;  // no instrument was taken yet, so the time has not started
   // Number of clips on vessels, and the bleeding ends, when the clip applier was last open.
   int clipsBefore_ = 0;
   std::vector<BleedingEnd> endsBefore_;
   bool clipperClosed_ = false;
   int clipperHeld_ = -1;
-  // Simulated times, s: when the jaws of the instrument in hand were last open; when a clip was
-  // placed whose effect is still to be reported, -1: none.
+  // Two simulated times, s. jawsOpen_: when the jaws of the instrument in hand were last open.
+  // clipPlaced_: when a clip was placed whose effect is still to be reported; -1: there is no such
+  // clip.
   double jawsOpen_ = 0;
   double clipPlaced_ = -1;
-  bool asTest_ = false, startedAsTest_ = false;  // is this exercise a test; is the one loading
-  std::filesystem::path page_;                   // report of the last attempt
-  std::int64_t attemptBranch_ = 0;               // branch on which that attempt ended
-  std::int64_t replayUntil_ = -1;                // frame where the replay stops; -1: no replay runs
+  // asTest_: the present exercise is a test. startedAsTest_: the exercise that is being loaded is a
+  // test.
+  bool asTest_ = false, startedAsTest_ = false;
+  std::filesystem::path page_;      // report of the last attempt
+  std::int64_t attemptBranch_ = 0;  // branch on which the last attempt ended
+  std::int64_t replayUntil_ = -1;   // frame where the replay stops; -1: no replay
   std::unique_ptr<VideoWriter> video_;
   QSize videoSize_;
   qint64 panelsShown_ = 0, pictureTaken_ = 0;  // times, ms since 1970

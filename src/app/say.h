@@ -1,5 +1,5 @@
 // Makes foreign text (from files and names) safe to show in the window. Prints the window's reports
-// to scripts on standard output, one line per event, flushed at once.
+// for scripts to standard output: one line per event, flushed immediately.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,12 +12,13 @@
 
 namespace resect {
 
-// Foreign text for labels, buttons and dialogs: one line, with control characters made visible.
+// Converts foreign text to one line for labels, buttons and dialogs. Control characters become
+// visible.
 inline QString shown(const std::string& text, std::size_t most = kLongestShown) {
   return QString::fromStdString(shownText(text, most));
 }
 
-// The same for tool tips and labels that interpret HTML: HTML tags in the text are escaped.
+// The same for tool tips and labels that interpret HTML. HTML tags in the text are escaped.
 inline QString shownInHtml(const std::string& text) { return shown(text).toHtmlEscaped(); }
 
 template <typename... Args>

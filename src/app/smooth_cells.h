@@ -5,11 +5,11 @@
 
 namespace resect {
 
-// Side of the cells, mm, with which an operation would keep real time. 0 if the operation already
-// keeps it, if none of its tissue is elastic, if an earlier moment is shown, or if more than 20 mm
-// would be needed. frameRate: simulated frames per second. cell: present side of the cells, m. The
-// work is taken as proportional to the number of cells times the number of time steps, and so to
-// the inverse fourth power of the side.
+// Side of the cells, mm, with which an operation would keep real time. The result is 0 in these
+// cases: the operation keeps real time already; none of its tissue is elastic; an earlier moment is
+// shown; the side would have to be larger than 20 mm. frameRate: simulated frames per second. cell:
+// present side of the cells, m. The computing time is assumed to be proportional to the number of
+// cells times the number of time steps, that is, to 1 / side^4.
 int smoothCells(const LiveState& state, double frameRate, double cell);
 
 }  // namespace resect

@@ -20,7 +20,7 @@ class SpaceMouse {
   bool connected() const { return notifier_ != nullptr; }
   const char* status() const;  // a sentence for the user
 
-  // Called for each motion of the 3D mouse. seconds: time since its previous motion event.
+  // Called for each motion of the 3D mouse. seconds: time since the previous motion.
   std::function<void(const SixAxes&, double seconds)> pushed;
 
  private:

@@ -34,25 +34,28 @@ class Viewer : public QWidget {
   // Throws Error if there is no OpenGL context to draw with.
   explicit Viewer(QWidget* parent = nullptr);
 
-  // Shows this session; nullptr: nothing. The session must exist as long as it is shown.
+  // Shows this session. If `session` is null, no operation is shown. The session must exist as long
+  // as it is shown.
   void show(OperatingSession* session);
-  // Sets the text that is shown while there is no session: what the user is waiting for.
+  // Sets the text that is shown while there is no session. It says what the user is waiting for.
   void sayWaiting(const QString& what);
   void setFpsLimit(double framesPerSecond);
 
   double aspect() const { return double(width()) / std::max(1, height()); }
   SbViewportRegion viewport() const;  // device pixels
   struct Drawing {
-    double perSecond = 0, seconds = 0;  // pictures drawn in the last second; mean time to draw one
+    // Number of pictures drawn in the last second; mean time to draw a picture, s.
+    double perSecond = 0, seconds = 0;
   };
   Drawing drawing() const;
   Pace& pace() { return pace_; }
   bool showsPicture() const { return !image_.isNull(); }
-  // The picture as it is shown. If `smooth`, it is first drawn again with antialiased edges.
+  // The picture as it is shown. If `smooth` is true, the picture is first drawn again with
+  // antialiased edges.
   RgbImage grabPicture(bool smooth);
 
   std::function<void()> ticked;  // called after each update from the operation
-  // Called with each event. If it returns true, the session does not get the event.
+  // Called with each event. If the function returns true, the session does not get the event.
   std::function<bool(const SoEvent&, const SbViewportRegion&)> before;
 
  protected:
@@ -83,23 +86,24 @@ class Viewer : public QWidget {
 
   OperatingSession* session_ = nullptr;
   QTimer timer_, soon_;
-  double interval_ = 1.0 / 60;  // from one update to the next, s
+  double interval_ = 1.0 / 60;  // time from one update to the next, s
   QElapsedTimer clock_, still_;
   LivePicture picture_;
   QImage image_;  // the picture on the screen
   Damage damage_;
   // Sets of strips of the picture: bit i is strip i, counted from below.
   std::uint32_t rough_ = 0;   // strips that are not antialiased yet
-  std::uint32_t behind_ = 0;  // strips still to be antialiased while other strips move
+  std::uint32_t behind_ = 0;  // strips that are still to be antialiased while parts move
   int sinceStrip_ = 0;        // number of pictures drawn since the last strip was drawn
   bool shadowsDue_ = false;   // the next strip also draws the changed shadows
   double slowDrawn_ = 0;      // last time when Damage::slow was drawn again, s
   double stripDrawn_ = 0;     // last time when a strip was drawn while something moved, s
   double lastInput_ = 0;      // time of the last input, s
-  double pauseEnds_ = 0;      // time before which no sharp picture of moving parts is begun, s
+  double pauseEnds_ = 0;      // earliest time for an antialiased picture of moving parts, s
   QString waiting_;           // text shown in place of a picture
   Qt::MouseButtons down_;
-  // For each of the last pictures, at most 240: when it was finished, and how long it took, s.
+  // For each of the last pictures, at most 240: the time when the picture was finished, and the
+  // time that drawing it took, s.
   std::vector<std::pair<double, double>> drawn_;
   double due_ = 0;  // when the next update is due, s
   Pace pace_;

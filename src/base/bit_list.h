@@ -1,5 +1,5 @@
-// Lists the indices of the set bits of a 64-bit word. It branches once for every eight indices, so
-// the processor predicts the branches well if few bits are set.
+// Lists the indices of the set bits of a 64-bit word. The code branches only once for every eight
+// indices. So if few bits are set, the processor predicts the branches well.
 #pragma once
 
 #include <bit>
@@ -8,8 +8,9 @@
 
 namespace resect {
 
-// Writes `first` + the index of each set bit to `list`, in ascending order, and returns the end of
-// what it wrote. It may overwrite up to 8 elements beyond that end. first: at most 192.
+// For each set bit, writes the sum of `first` and the bit's index to `list`, in ascending order.
+// Returns the end of these numbers in `list`. The function may overwrite up to 8 elements beyond
+// this end. first: at most 192.
 //
 // A plain loop over few set bits ends with a mispredicted branch. So this function always writes
 // eight indices at a time. It aims at four instructions per index.

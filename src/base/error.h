@@ -1,5 +1,6 @@
-// The exception for unusable input (file, mesh, setting, argument). Its text is one sentence that
-// says what is wrong, where (file:line or field), and what to do about it.
+// The exception for unusable input (file, mesh, setting, argument). Its text is one sentence, which
+// says three things: what is wrong, where it is wrong (file:line or field), and what to do about
+// it.
 #pragma once
 
 #include <fmt/format.h>

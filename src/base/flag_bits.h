@@ -1,5 +1,5 @@
-// Vectorised comparisons of the numbers or bytes of an array. Bit i of the result is the result for
-// element i.
+// Vectorised comparisons of the numbers or bytes of an array. The result is a word; its bit i tells
+// the outcome for element i.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,8 @@ namespace resect {
 #ifdef __SSE2__
 
 // compared16() passes four consecutive numbers at a time to its test. The test returns one lane per
-// number: all bits of the lane are set if the comparison is true, none if it is false.
+// number: all bits of the lane are set if the comparison is true, and no bit is set if the
+// comparison is false.
 typedef float FourValues __attribute__((vector_size(16)));
 typedef std::int32_t FourFlags __attribute__((vector_size(16)));
 
@@ -50,7 +51,7 @@ inline std::uint64_t compared16(const float* values, Test test) {
 
 #endif
 
-// The same as compared16() for 64 values.
+// Does the same as compared16(), but for 64 values.
 template <typename Test>
 [[gnu::always_inline]] inline std::uint64_t compared64(const float* values, Test test) {
   return compared16(values, test) | compared16(values + 16, test) << 16 |

@@ -1,5 +1,6 @@
 // Grows large arrays with a thirty-second (3 %) of spare capacity. Doubling the capacity, as
-// std::vector does, would waste memory; without spare capacity every growth would copy the array.
+// std::vector does, would waste memory. Without any spare capacity, every growth would copy the
+// array.
 #pragma once
 
 #include <algorithm>
@@ -19,9 +20,9 @@ void reserveFor(std::vector<T, Allocator>& array, std::size_t size) {
   wantLargePages(array.data() + array.size(), (size - array.size()) * sizeof(T));
 }
 
-// Calls array.resize(size). If the capacity is too small, it becomes size + size / 32; this holds
-// for the first call too. A cut adds a little surface, which nearly always fits into the spare
-// capacity. Without it, a cut would copy tens of megabytes, which takes as long as a frame. New
+// Calls array.resize(size). If the capacity is too small, it becomes size + size / 32, also in the
+// first call. A cut adds a little surface, which nearly always fits into the spare capacity.
+// Without spare capacity, a cut would copy tens of megabytes, which takes as long as a frame. New
 // elements are uninitialised; the caller writes them.
 template <typename T>
 void growTo(RawArray<T>& array, std::size_t size) {

@@ -1,5 +1,5 @@
-// A box of grid points with consecutive indices. It serves to store values for a part of a grid
-// when the whole grid would take too much memory.
+// A box of grid points, which are numbered consecutively. It is used to store values for a part of
+// a grid if values for the whole grid would take too much memory.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,8 @@ struct IndexBox {
     return {low - Vec3i::Constant(margin), dims + Vec3i::Constant(2 * margin)};
   }
   // Points are numbered from 0, x fastest. The box must hold fewer than 2^31 points. step():
-  // difference between the indices of two points that are neighbours along the axis. index(): the
-  // point must lie in the box.
+  // difference between the indices of two points that are neighbours along the axis. index(): index
+  // of a point, which must lie in the box. coordinates(): the point with this index.
   std::int32_t step(int axis) const {
     return axis == 0 ? 1 : axis == 1 ? dims.x() : dims.x() * dims.y();
   }

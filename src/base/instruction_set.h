@@ -1,9 +1,10 @@
 // Macros that compile hot functions for several instruction sets.
 //
 // RESECT_WIDEST before a function's definition compiles the function twice: for the build's
-// baseline, and for x86-64-v3 (AVX2, popcnt). When the program is loaded, the version for the
-// widest set that the processor has is chosen. Both versions do the same operations in the same
-// order, never contracted, so their results have the same bits. There is only the baseline on other
+// baseline, and for x86-64-v3 (AVX2, popcnt). When the program is loaded, one version is chosen:
+// the version for x86-64-v3 if the processor can run it, otherwise the baseline. Both versions do
+// the same operations in the same order, and never contract a multiplication and an addition into
+// one operation. So their results have the same bits. Only the baseline is compiled for other
 // processors, with compilers other than GCC, and in sanitizer builds, which cannot choose a version
 // at load time.
 #pragma once

@@ -10,8 +10,8 @@
 
 namespace resect {
 
-// While this object exists, parallelFor uses at most `threads` threads; 0: as many as the machine
-// has. If several of these objects exist at once, the lowest limit holds.
+// While this object exists, parallelFor uses at most `threads` threads; 0: as many threads as the
+// machine has. If several of these objects exist at the same time, the lowest limit holds.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);
@@ -23,12 +23,12 @@ class ThreadLimit {
   void* control_;
 };
 
-// How many threads parallelFor may use now. Use it to size buffers, and never for anything that
-// changes results.
+// How many threads parallelFor may use now. Use this number only for the sizes of buffers, and
+// never for anything that changes results.
 std::size_t threadsAllowed();
 
-// A reference to the function body(begin, end) that parallelFor runs. The function object must
-// exist until the loop ends. Unlike a std::function, a RangeBody never allocates.
+// A reference to a function object body(begin, end), which parallelFor calls. The function object
+// must exist until the loop ends. Unlike a std::function, a RangeBody never allocates.
 class RangeBody {
  public:
   template <typename Callable>

@@ -6,9 +6,9 @@
 
 namespace resect {
 
-// The long work calls this function from time to time. share: the part of the work that is done, 0
-// to 1; -1 if this part is unknown. If the function returns false, the work throws `Cancelled` and
-// leaves no partial result. The function may be empty: then nothing is reported.
+// The long work calls this function from time to time. share: the share of the work that is done, 0
+// to 1; -1: unknown. If the function returns false, the work throws `Cancelled` and leaves no
+// partial result. The function may be empty: then nothing is reported.
 using Progress = std::function<bool(double share)>;
 
 struct Cancelled {};

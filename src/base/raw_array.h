@@ -10,7 +10,7 @@
 
 namespace resect {
 
-// Elements that are given no value are default-initialised, as by `new T`: numbers stay
+// Default-initialises elements that are given no value, as `new T` does. So numbers stay
 // uninitialised.
 template <typename T>
 struct UnwrittenAllocator : std::allocator<T> {
@@ -28,8 +28,8 @@ struct UnwrittenAllocator : std::allocator<T> {
   }
 };
 
-// A std::vector whose resize(n) writes nothing to new elements. All other functions are those of
-// std::vector, resize(n, value) and assign() included.
+// A std::vector whose resize(n) writes nothing to new elements. All other functions do the same as
+// in any std::vector; this includes resize(n, value) and assign().
 template <typename T>
 using RawArray = std::vector<T, UnwrittenAllocator<T>>;
 

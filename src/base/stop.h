@@ -1,18 +1,18 @@
 // Lets long work be stopped from outside, by Ctrl-C or a button.
 //
 // A thread registers a flag by which its work can be stopped (StopBy). parallelFor() checks the
-// flag before each block, and moveTissues() before each substep; both throw Cancelled if it is set.
-// Without a flag, work cannot be stopped. Results do not depend on whether there is a flag. If an
-// object was being changed when the work was stopped, it is left half changed: destroy it, or
-// restore it from a saved state.
+// flag before each block, and moveTissues() checks it before each substep. Both throw Cancelled if
+// the flag is set. Without a flag, work cannot be stopped. Results do not depend on whether there
+// is a flag. An object that was being changed when the work was stopped is left half changed.
+// Destroy this object, or restore it from a saved state.
 #pragma once
 
 #include <atomic>
 
 namespace resect {
 
-// Makes `flag` the flag of this thread as long as this object lives. Afterwards the thread has the
-// flag that it had before.
+// Makes `flag` the flag of this thread as long as this object lives. Afterwards the thread has its
+// previous flag again.
 class StopBy {
  public:
   explicit StopBy(const std::atomic<bool>& flag);

@@ -1,6 +1,6 @@
 // Bleeding during an operation. Blood flows out of cut vessels and cut tissue, over the organs, in
-// drops through the air, and onto the table. The ledger is exact: the blood that has bled equals
-// the blood in all places together, to the picolitre.
+// drops through the air, and onto the table. The ledger is exact to the picolitre: the volume that
+// flowed out equals the sum of the volumes in all places.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +14,17 @@
 
 namespace resect {
 
-// Where the lost blood is: bled = film + clotted + drops + pools + sucked + absorbed + lost.
+// The volume of blood that flowed out, and where it is now: bled = film + clotted + drops + pools +
+// sucked + absorbed + lost.
 struct BloodLedger {
   Picolitres bled = 0;      // flowed out of vessels and cut tissue
-  Picolitres film = 0;      // liquid, on organs
-  Picolitres clotted = 0;   // on organs
+  Picolitres film = 0;      // liquid blood on organs
+  Picolitres clotted = 0;   // clotted blood on organs
   Picolitres drops = 0;     // in the air
   Picolitres pools = 0;     // on the table
   Picolitres sucked = 0;    // removed by suction
   Picolitres absorbed = 0;  // soaked up by gauze
-  Picolitres lost = 0;      // fell beside the table
+  Picolitres lost = 0;      // fell beside the table, or down where there is no table
 
   Picolitres found() const { return film + clotted + drops + pools + sucked + absorbed + lost; }
 };
@@ -55,10 +56,10 @@ class Bleeding {
   explicit Bleeding(std::span<const OperatedOrgan> organs, const Circulation& circulation = {});
   bool any() const { return any_; }
 
-  // Computes a frame of `duration`, s, after the tissue has moved. organs: the organs that
-  // the constructor got; the flows out of their injured vessels are updated. edits: all edits
-  // applied in the frame. time: simulated time at the end of the frame, s. table: whether there is
-  // a table. `report` is overwritten.
+  // Computes the bleeding in a frame that lasts `duration`, s. To be called after the tissue has
+  // moved. organs: the organs that the constructor got; the flows out of their injured vessels are
+  // updated. edits: all edits applied in the frame. time: simulated time at the end of the frame,
+  // s. table: whether there is a table. `report` is overwritten.
   void step(std::span<OperatedOrgan> organs, std::span<const TissueEdit> edits, double duration,
             double time, bool table, BloodReport& report);
 
@@ -79,9 +80,11 @@ class Bleeding {
   // A cell with cut faces out of which blood oozes.
   struct Oozing {
     std::int64_t cell = -1;
-    double area = 0;        // of the cut faces, m^2
-    double since = 0;       // time at which they were cut, s
-    std::int32_t part = 0;  // part of the tissue: 0 is the body; from 1 on as in SegmentPart
+    double area = 0;   // of the cut faces, m^2
+    double since = 0;  // simulated time at which the faces were cut, s
+    // Part of the tissue to which the cell belongs. 0: the body; otherwise the number of a
+    // separated piece, as in SegmentPart.
+    std::int32_t part = 0;
 
     template <class Visitor>
     void visit(Visitor& v) {
@@ -91,9 +94,12 @@ class Bleeding {
   struct OrganBlood {
     BloodFilm film;
     std::vector<Oozing> oozing;
-    std::vector<double> sinusoids;  // pressures in them, Pa, per part of the tissue (Oozing::part)
-    std::int32_t unsought = 0;      // frames since an edit that may have divided tissue; 0: none
-    VesselFlow flow;                // set up once
+    // Pressures in the sinusoids, Pa, per part of the tissue (Oozing::part).
+    std::vector<double> sinusoids;
+    // An edit may divide tissue into parts. The parts are searched for only some frames after such
+    // an edit. This is the number of frames passed since the edit; 0: no search is due.
+    std::int32_t unsought = 0;
+    VesselFlow flow;  // set up once
 
     template <class Visitor>
     void visit(Visitor& v) {

@@ -10,11 +10,11 @@
 namespace resect {
 
 nlohmann::ordered_json toJson(const BloodSummary& summary);
-std::string toText(const BloodSummary& summary);  // lines, each ends with a line break
+std::string toText(const BloodSummary& summary);  // some lines; each ends with a line break
 
 nlohmann::ordered_json toJson(const std::vector<SegmentAmount>& segments);
-// A line about Couinaud's segments of which 1 ml or more of tissue was separated from the body of
-// the organ; "" if there are no such segments.
+// A line about the Couinaud segments that are no longer complete in the body of the organ: at least
+// 1 ml of the segment is missing there. "" if there are no such segments.
 std::string toText(const std::vector<SegmentAmount>& segments);
 
 }  // namespace resect

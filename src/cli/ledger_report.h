@@ -8,12 +8,13 @@
 
 namespace resect {
 
-// One object per organ. Volumes are of the tissue in cells, ml; masses in g, areas in cm^2, margins
-// in mm. A margin is null as long as nothing was cut or removed.
+// One object per organ. A volume is the volume of the tissue in cells (operation/ledger/ledger.h).
+// Units: ml for volumes, g for masses, cm^2 for areas, mm for margins. A margin is null as long as
+// nothing was cut or removed.
 nlohmann::ordered_json toJson(const Ledger& ledger);
 
-// Rows of a summary. Each begins with two spaces and a name of ten characters, and ends with a line
-// feed. Except for rounding, organ = remains + pieces + debris + removed.
+// Rows of a summary. Each row begins with two spaces and a name of ten characters, and ends with a
+// line feed. In the rows, organ = remains + pieces + debris + removed, except for rounding.
 std::string toText(const Ledger& ledger);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// Command-line options that choose an organ, the same for every command.
+// Command-line options that choose an organ. They are the same in every command.
 #pragma once
 
 #include <memory>
@@ -12,15 +12,16 @@
 namespace resect {
 
 struct OrganOptions {
-  // As the user wrote them; "": option not given.
+  // The values of the options as the user wrote them; "": the option was not given.
   std::string part, unit, spacing, dims, orientation, rotate;
   std::vector<std::string> structures;  // the values of --structure
   bool repair = false;                  // whether --repair was given
 
   // Overwrites those settings of `source` for which an option was given.
   void applyTo(OrganSource& source) const;
-  // Applies the options to the first organ of a scenario. `organ`, if not empty, replaces the file
-  // of that organ. If its spacing changes, those of the other organs change in proportion.
+  // Applies the options to the first organ of a scenario. If `organ` is not empty, it replaces the
+  // file of the first organ. If the spacing of the first organ changes, the spacings of the other
+  // organs change in proportion.
   void applyTo(Scenario& scenario, const std::string& organ) const;
 };
 

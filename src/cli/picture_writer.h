@@ -12,9 +12,9 @@
 namespace resect {
 
 struct PictureSettings {
-  std::string folder;  // where frame_0001.png and so on are written; "": no such files
+  std::string folder;  // folder for frame_0001.png, frame_0002.png ...; "": no such files
   std::string video;   // name of an .mp4 file; "": no video
-  std::string size;    // in pixels, as "1280x720"
+  std::string size;    // size in pixels, such as "1280x720"
   double rate = 10;    // pictures per simulated second
   // Whether numbered pictures that are already in the folder are removed before the first new one
   // is written.
@@ -37,8 +37,8 @@ class PictureWriter {
   void follow(const Simulation& simulation, const StepReport& step);
 
   // Draws a picture of the last frame, if this was not done yet, and finishes the video. Returns
-  // lines for people that name the written files: one line for the numbered pictures and one for
-  // the video.
+  // lines that tell a person which files were written: one line for the numbered pictures, and one
+  // line for the video.
   std::vector<std::string> finish();
 
  private:

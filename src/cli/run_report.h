@@ -16,7 +16,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenari
 // s. Still tissue exerts no forces, so it gives no curves.
 LinePlot forcePlot(const RunSummary& summary, const Scenario& scenario);
 
-// A summary for people. `files`: names of the files that were written; each gets a line.
+// A summary for people. `files`: names of the files that were written; each name gets a line.
 std::string toText(const RunSummary& summary, const Scenario& scenario,
                    const std::vector<std::string>& files);
 

@@ -1,4 +1,4 @@
-// Command-line options that several commands have, the same for each.
+// Command-line options that are the same in several commands.
 #pragma once
 
 #include <cmath>
@@ -12,10 +12,12 @@
 
 namespace resect {
 
-// Options about the pictures of an operation: their files and how they look, as the user wrote
-// them.
+// Options for pictures of an operation, as the user wrote them: where the pictures are written, and
+// how they look.
 struct PictureOptions {
-  std::string frames, video;  // folder of numbered pictures; video file; "": none
+  // frames: folder for numbered pictures; "": no numbered pictures. video: video file; "": no
+  // video.
+  std::string frames, video;
   std::string size = "1280x720", view, setting;
   double rate = 10;  // pictures per simulated second
 
@@ -23,7 +25,7 @@ struct PictureOptions {
   // Throws a usage Error if the size, the view, the rate or the name of the video is invalid. To be
   // called before long work.
   void check() const;
-  // Replaces the scenario's view and setting by those that were asked for.
+  // Replaces the scenario's view and setting by the view and the setting that the user asked for.
   void applyTo(Scenario& scenario) const;
 };
 
@@ -36,14 +38,14 @@ void addPictureOptions(Command command, PictureOptions& options);
 
 // Adds --setting, one of kSettingNames (operation/scenario.h).
 void addSettingOption(Command command, std::string& setting);
-// Throws a usage Error unless `setting` is one of these names, or empty.
+// Throws a usage Error unless `setting` is empty or one of these names.
 void requireSetting(const std::string& setting);
 
 // Adds --threads, 0 to 1024.
 void addThreadsOption(Command command, int& threads);
 
-// Adds --part, which may be given several times. part: gets the value in the form of
-// OrganMeshOptions::part (io/organ_mesh.h).
+// Adds --part, which may be given several times. The names that the user gives are written to
+// `part` in the form of OrganMeshOptions::part (io/organ_mesh.h).
 void addPartOption(Command command, std::string& part);
 
 // Adds --overwrite. numbered: says in the help what the option may remove, for example "the
@@ -61,7 +63,7 @@ struct RecordedPart {
   void check() const;                                // throws a usage Error unless 0 <= from <= to
   std::int64_t branchIn(RecordingFile& file) const;  // the branch's number
   // The frames of this part, along the course that leads to the end of its branch. Throws Error if
-  // there are none.
+  // the part has no frames.
   std::vector<CourseSpan> of(RecordingFile& file, double frameRate) const;
 };
 

@@ -1,7 +1,7 @@
-// A flat profile of an operation in the form of gprof: the stages sorted by the time that they
-// took, with the number of calls. For each stage it also lists the functions of the thesis's
-// program that did the same work, and their share of that program's time (appendix A of the thesis,
-// 2004).
+// A flat profile of an operation in the form of gprof. It lists the stages, with the number of
+// calls, sorted by the time that a stage took. For each stage it also names the functions of the
+// thesis's program that did the same work, and gives the share of that program's time that these
+// functions took (appendix A of the thesis, 2004).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -11,9 +11,9 @@
 
 namespace resect {
 
-// The thesis measured two organs, of 120 and of 950 particles. Its figures are shown if the number
-// of particles is within 5 % of one of these. Otherwise only the names of the functions in the
-// thesis's program are shown.
+// The thesis measured two organs: one of 120 particles and one of 950 particles. The figures of the
+// thesis are shown if the operation's number of particles is within 5 % of one of these numbers.
+// Otherwise only the names of the functions in the thesis's program are shown.
 nlohmann::ordered_json profileJson(const BenchReport& report);
 std::string profileText(const BenchReport& report);
 

@@ -1,17 +1,19 @@
-// The largest cells that an organ should be made of, from the shape of its surface alone.
+// Computes the side of the largest cells that an organ should be made of. Only the shape of the
+// organ's surface is used.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
 
 namespace resect {
 
-inline constexpr double kMostLostTissue = 0.02;   // largest lost share of the tissue's volume
-inline constexpr double kFewestParticles = 2000;  // of a whole organ; fewer do not show its shape
+inline constexpr double kMostLostTissue = 0.02;  // largest lost share of the tissue's volume
+// Least number of particles of a whole organ. Fewer particles do not show the organ's shape.
+inline constexpr double kFewestParticles = 2000;
 
-// Side, m, of the largest cubic cells that lose no more than kMostLostTissue of the tissue
-// (WallThickness::lostAt()) and make at least kFewestParticles particles. The side is a multiple of
-// 0.01 mm, from 0.01 to 100 mm. The mesh must be closed and oriented outwards. Cost: that of
-// wallThickness().
+// Side, m, of the largest cubic cells that meet two conditions: the share of lost tissue
+// (WallThickness::lostAt()) is at most kMostLostTissue, and the organ has at least kFewestParticles
+// particles. The side is a multiple of 0.01 mm, from 0.01 to 100 mm. The mesh must be closed and
+// oriented outwards. The cost is that of wallThickness().
 double coarsestCell(const TriangleMesh& surface);
 
 }  // namespace resect

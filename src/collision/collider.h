@@ -11,8 +11,8 @@
 //     const LayeredDepthImage both = intersectionVolume(a, b);
 //     volume(both);
 //
-// For single points use insideFlags(), for moving tools sweptInside() (both in collision/inside.h).
-// Both functions are exact; a look-up in the nearest pixel is not.
+// For single points, use insideFlags() (collision/inside.h). For moving tools, use sweptInside()
+// (in the same header). These functions test the points themselves, and not the nearest pixels.
 //
 // A pixel stands for the column along z through its centre. It holds the intervals of this column
 // that are inside the body, clipped to the volume of interest. All columns run along z, so one
@@ -28,8 +28,8 @@
 
 namespace resect {
 
-// Covers the extent of a finite box in x and y with nearly square pixels. `resolution`, at least 1:
-// number of pixels along the longer side. An empty or flat box gets no pixels.
+// Covers the extents of a finite box along x and y with nearly square pixels. `resolution`, at
+// least 1: number of pixels along the longer side. An empty or flat box gets no pixels.
 ColumnGrid pixelsOver(const Aabb& box, int resolution);
 
 struct DepthInterval {
@@ -38,25 +38,25 @@ struct DepthInterval {
 
 struct LayeredDepthImage {
   ColumnGrid pixels;
-  // Per pixel: the index of its first interval in `intervals`. One more entry follows, the number
+  // Per pixel: the index in `intervals` of the pixel's first interval. The last entry is the number
   // of all intervals.
   std::vector<std::uint32_t> offsets{0};
   std::vector<DepthInterval> intervals;
   // Number of pixels at which the mesh is open: the pixel's column does not enter the mesh as often
-  // as it leaves it.
+  // as it leaves the mesh.
   std::int64_t openPixels = 0;
 
-  // The intervals of a pixel, ascending; no two of them touch. Pixel i of row j has the number j *
-  // pixels.countX + i.
+  // The intervals of a pixel, ascending. No two intervals touch. Pixel i of row j has the number j
+  // * pixels.countX + i.
   std::span<const DepthInterval> operator[](std::size_t pixel) const {
     return {intervals.data() + offsets[pixel], intervals.data() + offsets[pixel + 1]};
   }
 };
 
-// Rasterises the inside of a mesh within the box. The mesh must be closed, oriented outwards and
-// finite, except that it may be incomplete over pixels that are not wanted. wanted: one flag per
+// Rasterises the inside of a mesh within the box. The mesh must be finite, closed and oriented
+// outwards. Over pixels that are not wanted, parts of the mesh may be missing. wanted: one flag per
 // pixel, or empty if all pixels are wanted. Pixels that are not wanted get no intervals. Cost: a
-// pass over the mesh and its crossings with the pixels' columns.
+// pass over the mesh, and a pass over the crossings of the mesh with the pixels' columns.
 LayeredDepthImage layeredDepthImage(const TriangleMesh& mesh, const Aabb& box,
                                     const ColumnGrid& pixels,
                                     std::span<const std::uint8_t> wanted = {});
@@ -64,7 +64,8 @@ LayeredDepthImage layeredDepthImage(const TriangleMesh& mesh, const Aabb& box,
 // One flag per pixel: 1 if the pixel has an interval.
 std::vector<std::uint8_t> coveredPixels(const LayeredDepthImage& image);
 
-// The common part of two images, pixel by pixel. Both must have the same box and pixels.
+// The common part of two images, pixel by pixel. Both images must have the same box and the same
+// pixels.
 LayeredDepthImage intersectionVolume(const LayeredDepthImage& a, const LayeredDepthImage& b);
 
 // The volume that an image shows, m^3: the sum of the lengths of all intervals times the area of a

@@ -1,20 +1,20 @@
 // Scanline rasteriser: finds all crossings of columns (lines along +z) with a closed mesh. First
 // the x and y of the mesh's points and of the columns are snapped to an integer raster. Then the
-// rasteriser decides exactly which triangles of the snapped mesh a column crosses. Of a crossing
-// only the depth is inexact: it is computed in floating point.
+// rasteriser decides exactly which triangles of the snapped mesh a column crosses. Only the depth
+// of a crossing is inexact, since it is computed in floating point.
 //
-// The raster has 2^30 steps over the larger of the mesh's extents in x and y; on a liver a step is
-// 0.2 nm. With these integers every edge function is an exact 64-bit integer. A column through an
-// edge or a vertex is treated as if it were shifted by (s, s^2), where s > 0 is infinitesimal. The
-// shifted column meets neither edges nor vertices. So for a closed, oriented mesh the signs of
-// every column's crossings sum to zero, whatever the shapes of the triangles. The raster depends on
-// the mesh alone. So a column has the same crossings whether it is cast alone or with others, in a
-// grid or in a list, at any number of threads.
+// The raster has 2^30 steps over the larger of two extents of the mesh, along x and along y. For a
+// liver, a step is 0.2 nm. With these integers every edge function is an exact 64-bit integer. A
+// column through an edge or a vertex is treated as if it were shifted by (s, s^2), where s > 0 is
+// infinitesimal. The shifted column meets neither edges nor vertices. So for a closed, oriented
+// mesh the signs of every column's crossings sum to zero, whatever the shapes of the triangles. The
+// raster depends on the mesh alone. So a column has the same crossings whether it is cast alone or
+// with others, in a grid or in a list, at any number of threads.
 //
-// Cost: a pass over the mesh's points and triangles; then O(1) for each pair of a triangle and a
-// column in its bounding box, and sorting the crossings of each column by depth. Sources: layered
-// depth images for collisions (Heidelberger, Teschner, Gross 2003); symbolic perturbation, for
-// columns through edges and vertices (Edelsbrunner, Muecke 1990).
+// Cost: a pass over the mesh's points and triangles. Then a constant time for each column in the
+// bounding box of a triangle. Finally, the crossings of each column are sorted by depth. Sources:
+// Heidelberger, Teschner, Gross (2003) for layered depth images in collision detection;
+// Edelsbrunner, Muecke (1990) for the symbolic perturbation of columns through edges and vertices.
 #pragma once
 
 #include <Eigen/Core>
@@ -37,7 +37,7 @@ struct Crossing {
 // The crossings of a number of columns. The crossings of one column are sorted by depth; at equal
 // depths, crossings with sign +1 come first.
 struct Crossings {
-  // Per column: index in `all` of its first crossing. The last element is all.size().
+  // Per column: index in `all` of the column's first crossing. The last element is all.size().
   std::vector<std::uint32_t> offsets;
   RawArray<Crossing> all;
 
@@ -68,7 +68,8 @@ struct SnappedMesh {
   };
   Vec2 origin = Vec2::Zero();  // lowest x, y of the mesh, m
   double step = 1;             // one raster step, m
-  RawArray<RasterXY> xy;       // per point; without z, since most triangles are rejected by x and y
+  // Per point. z is not included, since most triangles are rejected by x and y alone.
+  RawArray<RasterXY> xy;
   std::span<const Vec3> points;
   std::span<const Triangle> triangles;
 
@@ -89,9 +90,9 @@ Crossings castColumns(const SnappedMesh& mesh, const ColumnGrid& grid);
 // All crossings of columns at given positions (x, y), m.
 Crossings castColumns(const SnappedMesh& mesh, std::span<const Vec2> columns);
 
-// For each point, the sum of the signs of the crossings below it (those with depth < z of the
-// point). If all shells of the mesh face outwards, this is the number of shells that surround the
-// point: 0 outside, > 0 inside.
+// For each point, the sum of the signs of the crossings below the point (their depth is less than
+// the point's z). If all shells of the mesh face outwards, this sum is the number of shells that
+// surround the point. So it is 0 outside and > 0 inside.
 std::vector<std::int32_t> windingNumbers(const SnappedMesh& mesh, std::span<const Vec3> points);
 
 // Calls visit(z0, z1) for every interval of a column that lies inside the body (winding number >
@@ -119,10 +120,10 @@ struct SampleLine {
   std::int32_t upTo(double depth) const;
 };
 
-// As forEachInside() above, but for the points of `line`: calls visit(i0, i1) for every interval
-// that contains at least one of these points, in ascending order. The interval contains the points
-// i0 to i1 - 1; i0 < i1. If no point lies between two intervals, i1 of the first equals i0 of the
-// second.
+// Does the same as forEachInside() above, but for the points of `line`. Calls visit(i0, i1) for
+// every interval that contains at least one of these points, in ascending order. The interval
+// contains the points i0 to i1 - 1; i0 < i1. If no point lies between two intervals, i1 of the
+// first equals i0 of the second.
 template <typename Visit>
 void forEachInside(std::span<const Crossing> column, const SampleLine& line, Visit&& visit) {
   forEachInside(column, [&](double entered, double left) {

@@ -8,10 +8,10 @@
 
 namespace resect {
 
-// Raster steps over the larger of the mesh's extents in x and y.
+// Number of raster steps over the larger of the mesh's extents along x and y.
 inline constexpr std::int32_t kRaster = 1 << 30;
-// Raster coordinates of a column that lies beside the mesh: below its extent, or above it. No
-// triangle covers this column.
+// Raster coordinates for columns that lie outside the extent of the mesh: below it (kBelow), or
+// above it (kAbove). No triangle covers such a column.
 inline constexpr std::int32_t kBelow = -1, kAbove = kRaster + 1;
 
 // Raster coordinate of a column. offset: from the mesh's lowest x or y to the column, m. step: one
@@ -28,8 +28,8 @@ class Footprint {
       : x0_(a.x), y0_(a.y), z_(a.z), dz1_(b.z - a.z), dz2_(c.z - a.z) {
     const std::int64_t bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
     const std::int64_t area = bx * cy - by * cx;
-    // If area > 0 the face looks up, and a column leaves the body through it. If the face looks
-    // down, its edges are reversed.
+    // If area > 0 the face looks up, and a column leaves the body through it. If area < 0 the face
+    // looks down; then its edges are reversed.
     const std::int64_t turn =
         2 * std::int64_t(area > 0) - 1;  // branch-free: the sign is unpredictable
     sign_ = std::int32_t(-turn);
@@ -47,7 +47,7 @@ class Footprint {
   }
 
   bool empty() const { return area_ == 0; }    // seen edge-on: covers no column
-  std::int32_t sign() const { return sign_; }  // Crossing::sign of its crossings
+  std::int32_t sign() const { return sign_; }  // Crossing::sign of the triangle's crossings
 
   // Calls hit(depth) if the triangle covers the column at (x, y), in raster steps.
   template <typename Hit>
@@ -72,8 +72,9 @@ class Footprint {
   }
 
   Edge edge_[3];
-  std::int64_t x0_, y0_;   // corner 0, raster steps
-  double z_, dz1_, dz2_;   // depth of corner 0; depths of corners 1 and 2 relative to it; m
+  std::int64_t x0_, y0_;  // corner 0, raster steps
+  // z_: depth of corner 0, m. dz1_, dz2_: depths of corners 1 and 2 minus the depth of corner 0, m.
+  double z_, dz1_, dz2_;
   std::int64_t area_ = 0;  // twice the area, raster steps squared
   std::int32_t sign_ = 0;
 };

@@ -1,9 +1,10 @@
 // Inside tests: which points lie in a closed body, and which points a moving tool touches.
 //
 // Columns (lines along +z) are cast through the points themselves (collision/columns.h), not
-// through the nodes of a grid. Meshes must be closed and oriented outwards; overlapping shells
-// count as their union. A point on a face whose normal points to -z is outside; a point on a face
-// whose normal points to +z is inside. So bodies that share a face share no point.
+// through the nodes of a grid. Meshes must be closed and oriented outwards. If shells of a mesh
+// overlap, the inside of the mesh is the union of their insides. A point on a face whose normal
+// points to -z is outside; a point on a face whose normal points to +z is inside. So bodies that
+// share a face share no point.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +17,13 @@
 namespace resect {
 
 // One flag per point: 1 if the point is inside the mesh, decided exactly. Nothing is inside an
-// empty mesh. Cost: a pass over mesh and points; columns are cast only through the points that lie
-// in the bounding box of the mesh.
+// empty mesh. Cost: a pass over the mesh and the points. Columns are cast only through the points
+// that lie in the bounding box of the mesh.
 std::vector<std::uint8_t> insideFlags(const TriangleMesh& mesh, std::span<const Vec3> points);
 
 // One flag per world point: 1 if the rigid tool touches the point while the tool moves from pose
-// `from` to pose `to`. The tool's position changes linearly, its rotation along the shorter great
-// circle. No point is skipped, however far the tool jumps and however thin it is.
+// `from` to pose `to`. The tool's position changes linearly. Its rotation changes along the shorter
+// great circle. No point is skipped, however far the tool jumps and however thin it is.
 //
 // Points that are inside the tool at `from` or at `to` are always included. If the tool does not
 // rotate, the answer is exact: in the tool's frame all points move along one direction, and columns

@@ -1,10 +1,12 @@
-// Signed distance to a rigid body, and the direction in which it grows, from a precomputed grid.
+// Signed distance to a rigid body, from a precomputed grid. Also gives the direction in which the
+// distance grows.
 //
-// A regular grid in the body's frame holds the distance to a closed mesh; inside the mesh it is
-// negative. At grid nodes within one and a half cells of the surface the distance is exact. Farther
-// away it is approximate: the nearest triangles are propagated from node to node, after Danielsson
-// 1980. Between nodes the distance is interpolated trilinearly. Near a body thinner than a cell of
-// the grid the distance is small, but it is not negative everywhere inside the body.
+// A regular grid in the body's frame holds the distance to a closed mesh. Inside the mesh the
+// distance is negative. At grid nodes within one and a half cells of the surface the distance is
+// exact. Farther away the distance is approximate: the nearest triangles are propagated from node
+// to node, after Danielsson 1980. Between nodes the distance is interpolated trilinearly. If a body
+// is thinner than a cell of the grid, the distance is small inside the body, but not negative
+// everywhere.
 #pragma once
 
 #include <vector>
@@ -17,13 +19,13 @@ namespace resect {
 class SignedDistance {
  public:
   // `margin` > 0, m: how far the grid extends beyond the mesh. `cell` > 0, m: side of the grid's
-  // cells; it is enlarged if the grid would have more than 2 million nodes. For an empty mesh every
-  // distance is kFar.
+  // cells. The side is enlarged if the grid would have more than 2 million nodes. For an empty mesh
+  // every distance is kFar.
   SignedDistance(const TriangleMesh& mesh, double margin, double cell);
 
   struct Sample {
     double distance;  // m; negative inside the body; kFar outside the grid
-    Vec3 outwards;    // unit, towards growing distance; zero outside the grid or where undefined
+    Vec3 outwards;    // unit, towards growing distance; zero if undefined or outside the grid
   };
   Sample operator()(const Vec3& point) const;  // point: in the body's frame, m
   static constexpr double kFar = 1e3;          // m

@@ -1,14 +1,15 @@
-// The surface that a cutting edge sweeps between two poses, and where a segment crosses it.
+// The surface that a cutting edge sweeps between two poses, and the point where a straight segment
+// crosses this surface.
 //
 // The edge is a poly-line in the tool's frame. It sweeps a strip of triangles; neighbouring
 // triangles have exactly the same corners at their common side. A motion with rotation is divided
 // into steps, so that the strip stays within `flatness` of the edge's true path.
 //
 // No segment slips through between two triangles, since each triangle extends beyond its sides by
-// kBladeReach of its size. An end of a segment that lies on the strip (within rounding error of a
-// triangle's plane) counts as above the strip, that is, on the side to which the normals point. So
-// if two segments come from opposite sides and end at the same point of the strip, only the one
-// from below crosses.
+// kBladeReach of its size. "Above the strip" means the side to which the normals point. If an end
+// of a segment lies on the strip (within rounding error of a triangle's plane), this end counts as
+// above the strip. So if two segments come from opposite sides and end at the same point of the
+// strip, only the segment from below crosses the strip.
 #pragma once
 
 #include <optional>
@@ -35,21 +36,21 @@ struct BladeTriangle {
 };
 
 struct SweptBlade {
-  std::vector<BladeTriangle> triangles;  // none if the edge stands still or moves only along itself
+  std::vector<BladeTriangle> triangles;  // none if the edge stands still or slides along itself
   Aabb bounds;                           // of all triangles, world, m
 
   bool empty() const { return triangles.empty(); }
 };
 
 // `edge`: points in the tool's frame, m; fewer than two points sweep nothing. `flatness` > 0, m:
-// largest distance between the path of a point of the edge and its chord in one step. The pose is
-// interpolated as in geometry/pose.h: the position linearly, the rotation along the shorter great
-// circle.
+// largest distance between the path of a point of the edge in one step and the chord of this path.
+// The pose is interpolated as in geometry/pose.h: the position linearly, the rotation along the
+// shorter great circle.
 SweptBlade sweepBlade(std::span<const Vec3> edge, const Pose& from, const Pose& to,
                       double flatness = 1e-4);
 
 // The strip between two positions of an edge. `before` and `after`: the edge's points in the world,
-// m; both must have the same number of points.
+// m. Both must have the same number of points.
 SweptBlade ruledBlade(std::span<const Vec3> before, std::span<const Vec3> after);
 
 // Appends the triangles of the sweep `more` to `blade`.
@@ -61,8 +62,8 @@ struct BladeCrossing {
   std::int32_t triangle = 0;  // index in SweptBlade::triangles
 };
 
-// The crossing nearest to p; nothing if the segment from p to q does not cross the strip. Cost: two
-// scalar products per triangle.
+// The crossing nearest to p; no value if the segment from p to q does not cross the strip. Cost:
+// two scalar products per triangle.
 std::optional<BladeCrossing> crossing(const SweptBlade& blade, const Vec3& p, const Vec3& q);
 
 }  // namespace resect

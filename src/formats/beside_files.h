@@ -1,5 +1,6 @@
-// Files that a model or image refers to and that lie in its folder: the buffers of a .gltf, or the
-// voxels of an image whose header is a separate file.
+// Files that a model or an image refers to. They lie in the same folder as the model or image.
+// Examples are the buffers of a .gltf file, and the voxels of an image whose header is a separate
+// file.
 #pragma once
 
 #include <filesystem>
@@ -11,20 +12,20 @@
 
 namespace resect {
 
-// Content of these files, by name. The name is the one in the referring file; in a .gltf, codes
-// such as %20 are decoded.
+// Content of these files, by name. The name is spelled as in the referring file, but codes such as
+// %20 in a .gltf file are decoded.
 using BesideFiles = std::map<std::string, RawArray<char>>;
 
-// Thrown by a reader that needs a file that is not in its BesideFiles.
+// A reader throws this if it needs a file that its BesideFiles do not contain.
 struct LacksFile {
-  // The key that is missing. It comes from the file and may lead to any folder, so check it before
-  // use.
+  // The name of the missing file. The name comes from a foreign file and may lead to any folder, so
+  // check it before use.
   std::string name;
 };
 
-// For each of `files` that may refer to others (.gltf, .hdr, .nhdr, .mhd), appends all files of its
-// folder that it may refer to. The files are not opened here (only a sandboxed reader parses them),
-// so some of the appended files may not be needed.
+// Some of `files` may refer to other files (.gltf, .hdr, .nhdr, .mhd). For each such file, appends
+// all files of the same folder to which it may refer. No file is opened here, since only a
+// sandboxed reader parses files. So some of the appended files may not be needed.
 void addFilesBeside(std::vector<std::filesystem::path>& files);
 
 // Whether the file at `path` may refer to a file with this name. Looks only at the extensions of

@@ -9,13 +9,13 @@ namespace resect {
 // Whether the bytes begin like a gzip file.
 bool isGzip(std::string_view bytes);
 
-// Unpacks all members of a gzip file (RFC 1952). bytes: the whole file. path: its name, for the
-// message of an Error. Throws Error if the data are damaged, truncated, or more than `most` bytes
-// when unpacked.
+// Unpacks all members of a gzip file (RFC 1952). bytes: the whole file. path: the file's name, for
+// the message of an Error. Throws Error if the data are damaged, truncated, or more than `most`
+// bytes when unpacked.
 std::string unpackGzip(const std::string& path, std::string_view bytes, std::size_t most);
 // The same for a zlib stream (RFC 1950).
 std::string unpackZlib(const std::string& path, std::string_view bytes, std::size_t most);
-// The same for a raw deflate stream (RFC 1951), as ZIP archives have them.
+// The same for a raw deflate stream (RFC 1951), as in ZIP archives.
 std::string unpackDeflate(const std::string& path, std::string_view bytes, std::size_t most);
 
 }  // namespace resect

@@ -10,16 +10,19 @@
 namespace resect {
 
 struct Surroundings {
-  std::span<const VesselSegment> others;  // vessels to keep clear of
+  std::span<const VesselSegment> others;  // vessels that the new vessel must not meet
   const VesselIndex& index;               // index of `others`
   const OrganInside& inside;
-  double gap, depth;  // least gap to other vessels; least depth below the surface; m
+  // gap: least gap between the walls of the new vessel and of other vessels, m. depth: least depth
+  // of the new vessel's wall below the organ's surface, m.
+  double gap, depth;
 };
 
-// Corners of the shortest way between two points on which a vessel of `radius`, m, has room. The
-// search goes over grid points 0.7 mm apart, within 1 cm of the box round `from` and `to`. Each
-// straight piece is at most `longest`, m. The way begins at `from` and ends at the grid point with
-// room that is nearest to `to`. The result is empty if there is no way.
+// Finds the shortest way from `from` to `to` for a vessel with the radius `radius`, m, and returns
+// the corners of this way. The search goes over grid points 0.7 mm apart, within 1 cm of the box
+// round `from` and `to`. Only grid points at which the vessel keeps the gap and the depth of
+// `around` are used. The way begins at `from`. It ends at the usable grid point nearest to `to`.
+// Each straight piece is at most `longest`, m. The result is empty if there is no way.
 std::vector<Vec3> detour(const Vec3& from, const Vec3& to, double radius, double longest,
                          const Surroundings& around);
 

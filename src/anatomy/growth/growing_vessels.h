@@ -1,8 +1,9 @@
 // Trees of vessels while they grow: nodes, their radii, and whether a segment may be added.
 //
-// Constrained constructive optimisation (Schreiner and Buxbaum 1993; Jessen et al. 2022 for
-// competing trees): each new terminal is joined to the segment where the join adds the least
-// volume, if no vessel then leaves the organ or meets a vessel of another tree.
+// Method: constrained constructive optimisation (Schreiner and Buxbaum 1993; Jessen et al. 2022 for
+// competing trees). A new terminal can be joined to each of the segments nearest to it. Joins by
+// which a vessel would leave the organ or meet another vessel are not allowed. Of the allowed
+// joins, the one that adds the least volume is made.
 #pragma once
 
 #include <array>
@@ -18,13 +19,14 @@ namespace resect {
 
 struct GrowingNode {
   Vec3 place;
-  int parent;     // node at the other end of the segment; -1: this is a root
+  // The node at the start of the segment that ends at this node; -1: this node is a root.
+  int parent;
   int terminals;  // number of terminals in the subtree that begins at this node
-  int tree;       // 0: portal vein; from 1 on: one of the hepatic veins
+  int tree;       // 0: the portal vein; 1 or more: a hepatic vein
   bool leaf;
-  // Radii of the segment that ends at this node, m. given: the radius of a vessel that was not
-  // grown, else 0; it is kept. most: upper limit of the radius; branches of a given vessel are no
-  // wider than the vessel.
+  // Two radii of the segment that ends at this node, m. given: radius of a segment that existed
+  // before the growth; this radius never changes. If the segment was grown, `given` is 0. most:
+  // upper limit of the radius. A branch of an existing vessel is no wider than this vessel.
   double given = 0;
   double most = std::numeric_limits<double>::infinity();
 };
@@ -38,38 +40,43 @@ class GrowingVessels {
   int addStem(const Vec3& place, int root) {
     return add(place, root, nodes_[std::size_t(root)].tree, 0, false);
   }
-  // Adds existing vessels of one kind. Their parents are indices in `vessels`.
+  // Adds existing vessels of one kind. VesselSegment::parent is an index in `vessels`.
   void addGiven(std::span<const VesselSegment> vessels);
-  // Adds a main branch with one terminal, which runs from a node to a place, past other vessels and
-  // through the middle of the organ.
+  // Adds a main branch with one terminal. The branch runs from the node `from` to the point `to`,
+  // through the middle of the organ and past other vessels.
   void addTrunk(int from, const Vec3& to);
-  // The point nearest to p that is at least `depth`, m, deep and where a main branch of the tree
-  // has room; if there is none, the nearest point that is deep enough.
+  // Searches the points of OrganInside::places() that are at least `depth`, m, deep. Returns the
+  // point nearest to p at which a main branch of the tree would keep clear of other vessels. If
+  // there is no such point, returns the point nearest to p that is deep enough.
   Vec3 openPlace(const Vec3& p, double depth, int tree) const;
-  // Adds a terminal to the portal vein (kind 0) or to one of the hepatic veins (kind 1). Returns
-  // false, and adds nothing, if it can be joined to no segment.
+  // Adds a terminal to the portal vein (kind 0) or to one of the hepatic veins (kind 1). If the
+  // terminal can be joined to no segment, nothing is added and the result is false.
   bool grow(const Vec3& place, int kind);
 
   static int kindOf(int tree) { return tree > 0 ? 1 : 0; }
   int terminals(int kind) const { return terminals_[std::size_t(kind)]; }
   double leafRadius(int kind) const { return leafRadius_[std::size_t(kind)]; }
-  // Outer radius of a vessel with the radius r: the portal vein's sheath also contains artery and
-  // duct.
+  // Outer radius of a vessel with the radius r. For the portal vein this is the radius of its
+  // sheath, which also contains the artery and the bile duct.
   double outer(double r, int kind) const { return kind ? r : r * settings_.sheath; }
-  // Radii of the segments that end at the nodes, m; 0 for roots. They are narrowed where a vessel
-  // would otherwise leave the organ or meet one of the other kind.
+  // Radii of the segments that end at the nodes, m; 0 for roots. A segment is narrowed if it would
+  // otherwise leave the organ or meet a vessel of the other kind.
   std::vector<double> finalRadii() const;
 
  private:
   struct Join {  // a way to join a new terminal to a segment
     double cost;
-    int node;   // node at the segment's end
-    Vec3 fork;  // where the new branch leaves; for a given segment, its end
+    int node;  // node at the segment's end
+    // The point where the new branch begins. On a segment that existed before the growth, this is
+    // the end of the segment.
+    Vec3 fork;
   };
 
-  // Radius, m, that a segment will have when its tree is fully grown, if it has `terminals` now.
+  // Radius, m, that a segment will have when its tree is fully grown. terminals: number of
+  // terminals that the segment feeds now.
   double radius(int terminals, int kind) const;
-  // Present radius of the segment that ends at a node, m, if `more` terminals are added to it.
+  // Radius, m, of the segment that ends at a node, after `more` terminals have been added to the
+  // segment. It is computed by radius(), unless the segment existed before the growth.
   double radiusOf(const GrowingNode& node, int more = 0) const;
   double checkRadius(const GrowingNode& node) const;
   int add(const Vec3& place, int parent, int tree, int terminals, bool leaf);
@@ -77,10 +84,12 @@ class GrowingVessels {
   bool fits(const Join& join, const Vec3& place, int kind) const;
   bool fitsOnGiven(const GrowingNode& from, int node, const Vec3& place, int kind) const;
   void apply(const Join& join, const Vec3& place);
-  struct Obstacle {  // for a main branch: a vessel of another tree, and the distance to keep
+  // A segment of another tree. The middle line of a main branch must stay at least the distance
+  // `keep`, m, away from the segment's middle line.
+  struct Obstacle {
     Vec3 start, end;
     double keep;
-    bool stem;  // the vessel comes from outside the organ
+    bool stem;  // the segment comes from outside the organ
   };
   std::vector<Obstacle> obstacles(int tree) const;
   std::vector<Vec3> route(const Vec3& from, const Vec3& to, int tree) const;
@@ -100,15 +109,15 @@ class GrowingVessels {
   std::vector<GrowingNode> nodes_;
   std::array<int, 2> terminals_{};
   std::array<double, 2> leafRadius_{};
-  double widest_ = 0;  // m: outer radius of the widest vessel
-  // Cache of radius(): radius[n], m, for n terminals; 0: not computed yet. It is valid as long as
-  // the kind has `grown` terminals in all.
+  double widest_ = 0;  // outer radius of the widest vessel, m
+  // Results of radius() that have been computed already: radius[n], m, for n terminals; 0: not
+  // computed yet. The results are valid as long as the kind has `grown` terminals in all.
   struct KnownRadii {
     int grown = 0;
     std::vector<double> radius;
   };
   mutable std::array<KnownRadii, 2> knownRadii_;
-  std::vector<std::vector<int>> bins_;  // nodes whose segments pass near the bin
+  std::vector<std::vector<int>> bins_;  // per bin: nodes whose segments pass near it
   Vec3i binDims_;
   Vec3 binOrigin_;
 };

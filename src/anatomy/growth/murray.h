@@ -1,6 +1,6 @@
 // How the radius of a vessel grows with the number n of terminals that it feeds: r ~ n^(1/2.8). The
-// exponent lies between that of Murray's law (1/3) and that of a constant flow speed, as in large
-// vessels (1/2).
+// exponent 1/2.8 lies between two others: 1/3 in Murray's law, and 1/2 for a constant flow speed,
+// as in large vessels.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@ inline double murrayShare(double n) {
   const double c = n * n * n * n * n;
   int exponent;
   std::frexp(c, &exponent);
-  // c < 2^exponent, so y begins above the root, and the iteration descends to it.
+  // c < 2^exponent, so y begins above the root, and the iteration descends to the root.
   const int seventh = exponent >= 0 ? (exponent + 6) / 7 : -(-exponent / 7);
   double y = std::ldexp(1.0, seventh);
   for (int i = 0; i < 12; ++i) {

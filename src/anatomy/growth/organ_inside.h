@@ -12,12 +12,13 @@ namespace resect {
 
 class OrganInside {
  public:
-  // surface: closed and oriented outwards. Throws Error if no lattice point inside it is 3 mm deep.
+  // surface: closed and oriented outwards. Throws Error if no point of the lattice is at least 3 mm
+  // deep.
   explicit OrganInside(const TriangleMesh& surface);
 
   // Depth below the surface, m; negative outside.
   double depth(const Vec3& p) const { return -distance_(p).distance; }
-  // Unit vector towards greater depth; zero where it is undefined.
+  // Unit vector towards greater depth; zero where this direction is undefined.
   Vec3 inwards(const Vec3& p) const { return -distance_(p).outwards; }
   // Whether the straight line from a to b is at least `depth`, m, deep everywhere.
   bool deep(const Vec3& a, const Vec3& b, double depth) const;
@@ -25,8 +26,8 @@ class OrganInside {
   // The lattice of points, 5 mm apart; the outermost points lie outside the organ.
   const Lattice& places() const { return places_; }
   double depthAt(std::int64_t place) const { return depths_[std::size_t(place)]; }
-  // The lattice point nearest to p among those that are at least `depth`, m, deep. If there is
-  // none, the deepest of all points.
+  // Searches the points of the lattice that are at least `depth`, m, deep, and returns the point
+  // nearest to p. If no point is that deep, returns the deepest point of the lattice.
   Vec3 nearestPlace(const Vec3& p, double depth) const;
 
  private:

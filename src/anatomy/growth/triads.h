@@ -1,4 +1,5 @@
-// Artery and bile duct beside each branch of the portal vein: the portal triads.
+// Grows an artery and a bile duct beside each branch of the portal vein. The three vessels together
+// are called a portal triad.
 #pragma once
 
 #include <vector>
@@ -8,11 +9,13 @@
 
 namespace resect {
 
-// Appends the segments of the artery and then those of the bile duct; a kind that is already there
-// is not grown. segments: those of the portal vein, then those of other kinds, parents first. The
-// artery runs on one side of the plane of each fork, the duct on the other side. Each straight
-// piece turns about the vein by less than 30 degrees. A branch that would meet another vessel is
-// pushed aside, narrowed, or led round it; if no way is found, the branch ends there.
+// Appends the segments of the artery, then the segments of the bile duct. A kind that `segments`
+// contains already is not grown. segments: the segments of the portal vein, then the segments of
+// other kinds; each segment after its parent. At each fork of the vein, the artery runs on one side
+// of the fork's plane and the duct on the other side. Artery and duct consist of straight pieces.
+// Each piece goes round the vein by less than 30 degrees. A branch that would meet another vessel
+// is pushed aside, narrowed, or led round that vessel. If all this fails, the branch ends before
+// the other vessel.
 void addTriads(std::vector<VesselSegment>& segments, const VesselGrowth& settings,
                const OrganInside& inside);
 

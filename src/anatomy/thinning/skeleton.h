@@ -2,8 +2,8 @@
 //
 // Method: TEASAR (Sato et al. 2000, 10.1109/PCCGA.2000.883951). In each connected part, paths from
 // a root to the farthest cells are found one after another. A path ends where it meets an earlier
-// path. After each path, the cells round it are no longer considered as ends of paths. Steps cost
-// more the nearer they are to the wall of the shape, so paths run in the middle of the shape.
+// path. Cells close to a path cannot be the ends of later paths. A step near the wall of the shape
+// costs more than a step far from the wall, so paths run in the middle of the shape.
 #pragma once
 
 #include <cstdint>
@@ -14,21 +14,24 @@
 namespace resect {
 
 // A tree of neighbouring cells. Cell 0 is the root; every other cell comes after its parent. A
-// branch ends before the end of the shape, by about the depth of its last cell.
+// branch stops before the wall at the end of the shape. The gap is about the depth of the branch's
+// last cell.
 struct Skeleton {
   std::vector<std::int64_t> cells;  // indices of cells in the shape's lattice
   std::vector<int> parents;         // index in `cells`; -1 for the root
 };
 
-// One tree for each connected part of the shape; its root is the widest of the part's ends. Parts
-// that are nowhere deeper than one cell are left out. Cost: O(n log n) for n cells inside.
+// One tree for each connected part of the shape. The root of the tree is the widest end of the
+// part. Parts that are nowhere deeper than one cell are left out. Cost: O(n log n) for n cells
+// inside.
 std::vector<Skeleton> skeletons(const SolidShape& shape);
 
 // Moves the roots of trees that meet outside the shape, as the hepatic veins do in the vena cava.
-// The meeting point is the end of a tree at which the distances to the nearest ends of the other
-// trees have the least sum; trees with less than a fifth of the cells of the largest tree are not
-// counted. The root of each tree becomes its end nearest to this point. A single tree is not
-// changed.
+// The meeting point is an end of one of the trees. It is found as follows. For each end, the
+// distances to the nearest end of every other tree are added. The end with the least sum is the
+// meeting point. Trees with less than a fifth of the cells of the largest tree are not counted.
+// Then the root of each tree becomes the end of this tree that is nearest to the meeting point. A
+// single tree is not changed.
 void rootTogether(const SolidShape& shape, std::vector<Skeleton>& trees);
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// The folder of attempts: a sub-folder of recordings and reports for each learner, and the history
-// of their scores. `resect class` reads such a folder.
+// The folder of attempts. It has a sub-folder for each learner, with recordings and reports, and a
+// file with the history of all scores. `resect class` reads such a folder.
 #pragma once
 
 #include <filesystem>
@@ -10,18 +10,18 @@
 
 namespace resect {
 
-// Where attempts are kept unless another folder was chosen: the folder "attempts" beside the
-// window's folder of recordings.
+// The folder in which attempts are kept unless the user chose another folder: "attempts", beside
+// the window's folder of recordings.
 std::filesystem::path usualAttemptsFolder();
 
-// The text as the name of a folder, without characters that a file system might refuse. If the name
-// would be empty or longer than 60 bytes, it is "learner".
+// Converts a text to the name of a folder, without characters that a file system might refuse. If
+// this name would be empty or longer than 60 bytes, the result is "learner".
 std::string learnerName(const std::string& text);
 
 // Names of the learners' sub-folders, in alphabetical order.
 std::vector<std::string> learnersIn(const std::filesystem::path& folder);
 
-// Path of the learner's next recording of the exercise; its last part is, for example,
+// Path of the learner's next recording of the exercise. The file's name is, for example,
 // "touch-and-hold-3.resect". Creates the learner's folder; throws Error if that fails.
 std::filesystem::path newAttempt(const std::filesystem::path& folder, const std::string& learner,
                                  const std::string& exercise);
@@ -29,7 +29,7 @@ std::filesystem::path newAttempt(const std::filesystem::path& folder, const std:
 // Path of the file with the history of scores.
 std::filesystem::path historyIn(const std::filesystem::path& folder);
 
-// The learner's scored attempts at all exercises; none if there is no history yet.
+// The learner's scored attempts at all exercises. The result is empty if there is no history yet.
 std::vector<HistoryEntry> attemptsOf(const std::filesystem::path& folder,
                                      const std::string& learner);
 

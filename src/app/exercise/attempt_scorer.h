@@ -1,5 +1,5 @@
-// Scores recorded attempts, and writes the reports about an attempt and about a class. A separate
-// process does this: it runs this program's own commands `report` and `class`.
+// Scores recorded attempts, and writes the reports about an attempt and about a class. The work is
+// done in a separate process, which runs this program's own commands `report` and `class`.
 #pragma once
 
 #include <QProcess>
@@ -39,15 +39,17 @@ class AttemptScorer {
   struct Attempt {
     std::filesystem::path recording, page, history;
     std::string learner;
-    bool graded = true;  // true: the attempt is graded even if it is the learner's first
+    // True: the attempt is graded in any case. False: the learner's first attempt counts as
+    // practice if the task says so (Task::familiarisation).
+    bool graded = true;
   };
   // Scores the attempt and writes its debrief to `page`. `done` gets the result as soon as it is
   // known. `written` is called when the page has been written. `failed` gets an error message. A
-  // new call of score() or tabulate() cancels the work of the call before.
+  // new call of score() or tabulate() cancels the work of the previous call.
   void score(const Attempt& attempt, std::function<void(AttemptResult)> done,
              std::function<void()> written, std::function<void(QString)> failed);
-  // Writes the table of a class to `page`, in HTML. names: whether it shows the learners' names
-  // instead of pseudonyms.
+  // Writes the table of a class to `page`, in HTML. names: true: the table shows the learners'
+  // names; false: it shows pseudonyms.
   void tabulate(const std::filesystem::path& folder, const std::filesystem::path& page,
                 const std::filesystem::path& history, bool names, std::function<void()> written,
                 std::function<void(QString)> failed);
@@ -60,8 +62,8 @@ class AttemptScorer {
   std::unique_ptr<QProcess> process_;
 };
 
-// Reads the result from the output of `resect report --json -`; none if the output is not complete
-// yet.
+// Reads the result from the output of `resect report --json -`; no value if the output is not
+// complete yet.
 std::optional<AttemptResult> readResult(const QByteArray& json);
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// The exercises that the window offers: first those that the user has added or made, newest first,
-// then those that come with Resect.
+// The exercises that the window offers. Exercises that the user has added or made come first, the
+// newest at the top. Exercises that come with Resect follow.
 #pragma once
 
 #include <filesystem>
@@ -12,12 +12,13 @@ namespace resect {
 
 struct Exercise {
   std::filesystem::path file, picture;  // the picture may be missing
-  std::string name;                     // of the scenario
+  std::string name;                     // name of the scenario
   std::string title;
   Task task;
 };
 
-// complaints: gets a sentence about each file that can no longer be read.
+// The list of all exercises. For each file that can no longer be read, a sentence is added to
+// `complaints`.
 std::vector<Exercise> allExercises(std::vector<std::string>& complaints);
 
 // Adds a file of the user to the list. Throws Error if the file is not a scenario with a task.

@@ -24,16 +24,16 @@ class ExercisePanel : public QWidget {
   explicit ExercisePanel(QWidget* parent = nullptr);
 
   // Called when an attempt begins. guided: whether guidance may be shown. ghosts: whether the
-  // exercise has a reference run, which can be shown as ghosts. draft: whether the user is still
-  // making the exercise.
+  // exercise has a reference run. Its instruments can be shown as ghosts
+  // (inventor/hand/ghost_tools.h). draft: whether the user is still making the exercise.
   void begin(const QString& title, const Task& task, bool guided, bool ghosts, bool draft);
-  // Shows the present figures. seconds: time of the attempt. distance: from the instrument in
-  // hand to the goal's marks, m (distanceFrom() of guide_marks.h); empty if the goal has no marks
-  // now. keeping: whether the instrument is near enough to them (keepingOf()).
+  // Shows the present figures. seconds: time of the attempt. distance: from the instrument in hand
+  // to the goal's marks, m (distanceFrom() of guide_marks.h); empty if the goal has no marks now.
+  // keeping: whether the instrument is near enough to the marks (keepingOf()).
   void follow(const LiveState& state, double seconds, const AttemptProgress& progress,
               std::optional<double> distance, Keeping keeping);
-  // Whether guidance is to be shown, and whether ghosts are: the user wants them and the exercise
-  // has them.
+  // guidance(): whether to show guidance. ghosts(): whether to show ghosts. Each function returns
+  // true only if the exercise offers this help and the user has switched it on.
   bool guidance() const;
   bool ghosts() const;
   QString nextStep() const;  // empty: no next step is to be shown
@@ -50,9 +50,10 @@ class ExercisePanel : public QWidget {
  private:
   QLabel* addLine(const char* name);
   void clearResult();
+  // seconds: time of the attempt, s. blood: blood lost, ml. force: largest force, N. bleeding:
+  // duration of the bleeding, s.
   void showAmounts(std::optional<double> seconds, std::optional<double> blood,
-                   std::optional<double> force,
-                   std::optional<double> bleeding);  // in s, ml, N and s
+                   std::optional<double> force, std::optional<double> bleeding);
   void addResult(QWidget* widget);
   void addEvidence(const Evidence& one, const QString& number);
 

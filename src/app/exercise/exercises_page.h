@@ -1,5 +1,5 @@
-// The exercises as cards over the whole window: what each teaches, the learner's best result, and a
-// button that starts it.
+// A page over the whole window that shows the exercises as cards. A card says what its exercise
+// teaches, shows the learner's best result, and has a button that starts the exercise.
 #pragma once
 
 #include <QHash>
@@ -51,7 +51,7 @@ class ExercisesPage : public QWidget {
   QWidget* inside_;
   QGridLayout* grid_;
   std::vector<QWidget*> cards_;
-  QHash<QString, int> levels_;  // level chosen for an exercise, by its file
+  QHash<QString, int> levels_;  // chosen level of each exercise; key: the exercise's file
   int columns_ = 0;
 };
 

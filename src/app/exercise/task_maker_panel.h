@@ -35,16 +35,18 @@ class TaskMakerPanel : public QWidget {
   TaskGoal::Kind kind() const;
   // The least and the largest number of places that the goal needs.
   std::pair<std::size_t, std::size_t> placesWanted() const;
-  bool marksStructure() const;     // a new tumour is marked; false: a structure is chosen
+  // Whether the teacher marks a new tumour. False: he chooses a structure of the organs instead.
+  bool marksStructure() const;
   double structureRadius() const;  // m, of the new tumour
-  double structureDepth() const;   // m, of the new tumour's centre below the surface
+  double structureDepth() const;   // m, of the new tumour's centre
   // The task from the panel's fields. The window adds the goal's places, normal and vessel, and the
   // bands within which a passing attempt's figures must lie (skills/score/bands.h).
   Task task() const;
   std::string title() const;
 
-  // Adds one of the teacher's own attempts to the list, with the text `words`. The checked attempts
-  // are the references. good: whether the attempt is checked at first.
+  // Adds one of the teacher's own attempts to the list, with the text `words`. The attempts that
+  // the teacher checks in the list are the references. good: whether this attempt is checked at
+  // first.
   void addTry(const QString& words, bool good);
   void clearTries();
   std::vector<std::size_t> references() const;  // indices of the checked tries, ascending
@@ -58,7 +60,7 @@ class TaskMakerPanel : public QWidget {
                          const char* unit, int digits);
   struct Limit {
     const char* measure;
-    std::array<QDoubleSpinBox*, 3> fields;  // per level
+    std::array<QDoubleSpinBox*, 3> fields;  // one field per level of the exercise
     QWidget* row;
   };
   Limit limit(const char* name, const char* measure, const char* tip, double most, const char* unit,

@@ -16,9 +16,10 @@ class OperationLoader {
 
   struct Wish {
     std::filesystem::path file;
-    bool anew = false;   // start again from the beginning, without the recorded work
-    bool record = true;  // unless anew: go on recording, into a new file (Result::recorder)
-    std::size_t historyBytes = 0;  // becomes the argument mostBytes of operationOf()
+    bool anew = false;  // start again from the beginning, without the recorded work
+    // Go on recording, into a new file (Result::recorder). Has no effect if `anew` is true.
+    bool record = true;
+    std::size_t historyBytes = 0;  // the argument `mostBytes` of operationOf()
   };
   // Loads one operation at a time; a new call abandons the loading in progress. The recording's
   // file is not changed. `progress` and `done` are called as OrganLoader::load() calls them.

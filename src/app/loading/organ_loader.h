@@ -20,9 +20,9 @@
 
 namespace resect {
 
-// If the scenario has no instruments, gives it the instruments that come with Resect; if no organ
-// can bleed, the instruments that stop bleeding are left out. Sets the rest pose of every
-// instrument to its place in the tool box.
+// If the scenario has no instruments, gives it the instruments that come with Resect. Instruments
+// that stop bleeding are left out if no organ can bleed. Sets the rest pose of every instrument to
+// its place in the tool box.
 Scenario withInstruments(Scenario scenario);
 
 // Returns the setup with half of the processor's threads for the tissue, which leaves the other
@@ -40,15 +40,16 @@ class OrganLoader {
     std::vector<std::string> notes;
     std::string problem;
     std::string recording = {};  // recording from which the operation was loaded; empty: none
-    // Only for an operation that goes on (operation_loader.h): its history, and its recorder.
+    // History and recorder of an operation that goes on where its recording ended
+    // (operation_loader.h). Both are empty in all other cases.
     std::optional<OperationHistory> history = {};
     std::shared_ptr<Recorder> recorder = {};
   };
 
   // Loads one scenario at a time. A new call abandons the loading that is in progress, and does not
-  // wait for its thread. `progress` gets the share done, 0 to 1, or -1 while the share is unknown.
-  // `done` is called at the end, unless loading was abandoned. Both functions are called on the
-  // window's thread.
+  // wait for its thread. `progress` gets the share of the work that is done, 0 to 1, or -1 while
+  // this share is unknown. `done` is called at the end, unless loading was abandoned. Both
+  // functions are called on the window's thread.
   void load(const Scenario& scenario, std::function<void(double)> progress,
             std::function<void(Result)> done);
   void cancel();
@@ -56,7 +57,7 @@ class OrganLoader {
 
  private:
   struct Job;
-  // A model file that the job needs, and the part of it that is read.
+  // A model file that the job needs, and the part of this file that is read.
   struct ModelToRead {
     std::string* file;
     std::string* part;
@@ -78,11 +79,11 @@ class OrganLoader {
   QTimer timer_;
 };
 
-// Examines one file at a time in a separate process. A new call ends the call before, whose `done`
-// is then not called. examine() runs `resect info` on the file, or on one of its parts.
-// `done` gets the JSON that the process prints, and an empty `problem`. On failure it gets an empty
-// `json`, and the sentence of the error as `problem`. slices: where a picture of a label image's
-// slices is to be written; "": nowhere.
+// Examines one file at a time in a separate process. A new call ends the previous examination; the
+// `done` of that examination is then not called. examine() runs `resect info` on the file, or on
+// one of its parts. `done` gets the JSON that the process prints, and an empty `problem`. On
+// failure, `done` gets an empty `json`, and the sentence of the error as `problem`. slices: name of
+// the file for a picture of a label image's slices; "": no picture is written.
 class FileExaminer {
  public:
   ~FileExaminer() { cancel(); }
@@ -90,7 +91,8 @@ class FileExaminer {
       const std::string& file, const std::string& part, const std::string& slices,
       const std::function<void(const std::string& json, const std::string& problem)>& done);
   // Writes the surface of the file, or of the parts that `part` names, to the file `ply` with
-  // `resect convert`. `done` gets an empty `problem`, or the sentence of the error.
+  // `resect convert`. `done` gets the sentence of the error as `problem`, or an empty `problem` if
+  // there was no error.
   void writeSurface(const std::string& file, const std::string& part, const std::string& ply,
                     const std::function<void(const std::string& problem)>& done);
   void cancel();

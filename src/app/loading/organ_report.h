@@ -1,5 +1,5 @@
-// Text for the window from the JSON of `resect info` about a file that is to become an organ, and
-// the spacing that is proposed for this organ.
+// Makes texts for the window from the JSON that `resect info` prints about a file which is to
+// become an organ. Also proposes a spacing for this organ.
 #pragma once
 
 #include <QJsonObject>
@@ -16,26 +16,29 @@ namespace resect {
 struct FilePart {
   std::string part;       // as OrganSource::part names it
   std::string name;       // for people
-  std::string about;      // its volume, or why it has none: "1378 ml", "open, 12 boundary edges"
-  std::string file = {};  // of a folder's image
-  std::optional<StructureKind> kind = {};  // what its name tells
+  std::string about;      // volume, or why there is none: "1378 ml", "open, 12 boundary edges"
+  std::string file = {};  // path of the image, if it is one of a folder
+  std::optional<StructureKind> kind = {};  // kind that the name means; nothing if it means none
 };
 
 // The parts of a model, the labels of an image or the images of a folder.
 std::vector<FilePart> fileParts(const QJsonObject& info);
 
-// About the health of a surface. roles: whether the user can give its parts roles.
+// Text about a surface: its size and its defects. roles: whether the user can give roles to the
+// parts of the surface.
 QString surfaceReport(const QJsonObject& info, bool roles);
 
-// What was taken from a label image: the notes about it.
+// Text about a label image: its format, and the notes about what was taken from it.
 QString imageReport(const QJsonObject& info);
 
 // "about 7,300 particles", with two significant digits; "" for less than one.
 QString particlesText(double particles);
 
-// Side of the cells, m: `usual`, or less for a small organ, which would have too few particles to
-// show its shape, or for a hollow one, whose wall has to be two cells thick. volume: of tissue,
-// m^3, > 0. wall: mean thickness of a hollow organ's wall, m; 0: the organ is not hollow.
+// The proposed side of the cells, m. It is at most `usual`. It is less for a small organ, so that
+// the organ has enough particles to show its shape. It is also less for a hollow organ, so that the
+// wall is two cells thick. However, a thin wall never makes the side so small that the organ has
+// more than 30,000 particles. volume: volume of the tissue, m^3, > 0. wall: mean thickness of a
+// hollow organ's wall, m; 0: the organ is not hollow.
 double proposedSpacing(double usual, double volume, double wall);
 
 // Mean thickness of a hollow organ's wall; 0 if the organ is not hollow. In any unit of length: the

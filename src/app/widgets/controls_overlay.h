@@ -9,7 +9,9 @@ namespace resect {
 class ControlsOverlay : public QWidget {
  public:
   explicit ControlsOverlay(QWidget* parent);
-  bool guided = true;  // instruments follow the surface; false: the thesis's controls
+  // True: lists the controls with which instruments follow the surface. False: lists the controls
+  // of the thesis's program.
+  bool guided = true;
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -1,5 +1,5 @@
-// The bar over the picture. It says what to do next. One button shows the exercises; another makes
-// a slow simulation faster.
+// The bar over the picture, which says what to do next. It has a button that shows the exercises,
+// and a button that makes a slow simulation faster.
 #pragma once
 
 #include <QWidget>
@@ -33,8 +33,8 @@ class HintBar : public QWidget {
   QPushButton* exercises_;
   QLabel* sentence_;
   QPushButton* mend_;
-  // The offered side of the cells, mm; the present number of lines; the least number of lines, 2,
-  // since most sentences fit into two.
+  // offered_: the offered side of the cells, mm; 0: nothing is offered. lines_: the present number
+  // of lines. fewest_: the least number of lines; most sentences fit into two lines.
   int offered_ = 0, lines_ = 1, fewest_ = 2;
 };
 

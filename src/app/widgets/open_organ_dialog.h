@@ -30,12 +30,12 @@ class SurfaceView;
 
 class OpenOrganDialog : public QDialog {
  public:
-  // before: source of the organ opened before. The dialog proposes the spacing of that organ and
-  // keeps its `settings`.
+  // before: source of the organ that was opened last. The dialog proposes the spacing of this
+  // organ, and keeps `before.settings`.
   OpenOrganDialog(const std::string& file, const OrganSource& before, QWidget* parent = nullptr);
 
-  // The user's choices; valid after accept(). For a label image, they include the structures in the
-  // organ. Throws Error if the image can no longer be read.
+  // The user's choices; valid after accept(). For a label image, the choices include the structures
+  // in the organ. Throws Error if the image can no longer be read.
   OrganSource source() const;
 
   QPoint openButton() const;        // centre of the Open button, in screen coordinates
@@ -44,7 +44,7 @@ class OpenOrganDialog : public QDialog {
   // Called after the file, or the chosen part, was examined. Gets the text that the dialog shows
   // about the file: a report or an error.
   std::function<void(const std::string&)> examined;
-  // Called once the dialog shows the turning surface of the file or of the chosen part.
+  // Called when the dialog begins to show the turning surface of the file or of the chosen part.
   std::function<void()> surfaceShown;
 
  private:
@@ -70,7 +70,7 @@ class OpenOrganDialog : public QDialog {
   bool isFolder_;  // of label images
   OrganSource before_;
   FileExaminer examiner_, surfaceReader_;
-  QTemporaryDir folder_;                    // for the picture of slices and the surface
+  QTemporaryDir folder_;                    // holds the picture of slices and the surface
   std::optional<std::string> surfacePart_;  // part whose surface is shown or being read
   SurfaceView* surface_;
   TriangleMesh mesh_;  // the surface that is shown, in the coordinates of the file
@@ -84,14 +84,18 @@ class OpenOrganDialog : public QDialog {
   QDoubleSpinBox* spacing_;
   QLabel* particles_;
   QPushButton* open_;
-  double longest_ = 0;               // longest side of the bounding box, in units of the file
-  double boxVolume_ = 0;             // of the bounding box, in units cubed
-  double area_ = 0, volume_ = 0;     // in units squared and units cubed; volume 0: it encloses none
-  std::vector<double> partVolumes_;  // of a model's parts, ml if one unit is 1 m; 0: open
-  int cavities_ = 0;                 // shells of the surface that bound cavities
-  bool unitChosen_ = false;          // the user has chosen a unit
-  bool spacingChosen_ = false;       // the user has chosen a spacing
-  bool isImage_ = false;             // a label image
+  double longest_ = 0;    // longest side of the bounding box, in units of the file
+  double boxVolume_ = 0;  // volume of the bounding box, in units cubed
+  // Area and volume of the surface, in units squared and units cubed. The volume is 0 if the
+  // surface does not enclose a volume.
+  double area_ = 0, volume_ = 0;
+  // Volume of each part of a model; 0: the part is open. The volumes are in ml if one unit of the
+  // file is 1 m.
+  std::vector<double> partVolumes_;
+  int cavities_ = 0;            // number of shells of the surface that bound cavities
+  bool unitChosen_ = false;     // the user has chosen a unit
+  bool spacingChosen_ = false;  // the user has chosen a spacing
+  bool isImage_ = false;        // the file is a label image
 };
 
 }  // namespace resect

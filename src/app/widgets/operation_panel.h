@@ -16,15 +16,17 @@ namespace resect {
 class OperationPanel : public QWidget {
  public:
   explicit OperationPanel(QWidget* parent = nullptr);
-  // For a new operation. notes: of its loading, shown if the scenario has no description; may be
-  // empty. tools: names of its instruments.
+  // To be called when an operation begins. notes: notes from the loading of the operation; they are
+  // shown if the scenario has no description, and may be empty. tools: names of the operation's
+  // instruments.
   void begin(const Scenario& scenario, const QString& notes, const std::vector<QString>& tools);
-  bool explains() const { return !task_->text().isEmpty(); }  // shows a description or notes
+  // Whether the panel shows a description or notes.
+  bool explains() const { return !task_->text().isEmpty(); }
   // held: number of the tool whose force is shown; -1: none.
   void follow(const LiveState& state, int held);
 
  private:
-  // A line with a name and a value, shown only while it has a value.
+  // A line with a name and a value. The line is hidden while it has no value.
   struct Row {
     QLabel *name, *value;
   };

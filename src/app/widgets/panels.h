@@ -20,7 +20,8 @@ class QSpinBox;
 
 namespace resect {
 
-// A value over time, oldest first: pairs of simulated time, in s, and value.
+// A value over time: pairs of a simulated time, s, and the value at this time. The oldest pair
+// comes first.
 using History = std::vector<std::pair<double, double>>;
 
 // The organs' names for people: "Built-in liver", "liver, gallbladder".
@@ -37,7 +38,7 @@ class OrganPanel : public QWidget {
   void setIso(float iso);
   // Whether the panel shows changed settings, which take effect only when beginAgain() is called.
   bool waiting() const { return settings() != running_; }
-  // Calls rebuild(), which makes the organs anew, uncut, with the panel's settings.
+  // Calls rebuild() with the panel's settings. rebuild() makes new organs without cuts.
   void beginAgain();
   std::function<void(float)> isoChanged;
   // Called by beginAgain(). spacing: m; none if the user did not change it. refine: nodes per cell
@@ -63,7 +64,8 @@ class OrganPanel : public QWidget {
   QCheckBox* elastic_;
 };
 
-// Volume of removed tissue, ml, in large digits, above a plot of that volume over time.
+// Shows the volume of removed tissue, ml, in large digits, and below it a plot of this volume over
+// time.
 class RemovedPanel : public QWidget {
  public:
   explicit RemovedPanel(QWidget* parent = nullptr);
@@ -80,8 +82,8 @@ class RemovedPanel : public QWidget {
   History history_;  // values in ml
 };
 
-// The force of the tissue on the tool in hand over the last ten seconds, and the largest force on
-// any tool so far.
+// Shows the force of the tissue on the tool in hand over the last ten seconds, and the largest
+// force that has acted on any tool so far.
 class ForcePanel : public QWidget {
  public:
   explicit ForcePanel(QWidget* parent = nullptr);
@@ -94,12 +96,12 @@ class ForcePanel : public QWidget {
  private:
   std::vector<QString> tools_;
   History history_;  // values in N
-  double peak_ = 0;  // N: largest force so far
-  QString reached_;  // name of the tool on which it acted; empty: none
+  double peak_ = 0;  // largest force so far, N
+  QString reached_;  // name of the tool on which the largest force acted; empty: none
 };
 
-// Pictures per second, simulated time per real time, and a bar for each stage of the step. If
-// drawing or simulation is too slow, the panel also gives advice.
+// Shows the pictures per second, the simulated time per real time, and a bar for each stage of the
+// step. If drawing or simulation is too slow, the panel also gives advice.
 class TimingPanel : public QWidget {
  public:
   explicit TimingPanel(QWidget* parent = nullptr);

@@ -1,5 +1,5 @@
-// A table in which the user gives each part of a file its role: it is the organ, it is a structure
-// in the organ, or it is left out.
+// A table in which the user gives each part of a file a role. The roles are: the organ; a structure
+// in the organ; left out.
 #pragma once
 
 #include <QTableWidget>
@@ -16,10 +16,13 @@ class PartsTable : public QTableWidget {
  public:
   explicit PartsTable(QWidget* parent = nullptr);
 
-  // Proposes a role for each part by its name (structureKind()). Parts whose names tell no kind,
-  // and gallbladders, are left out. If no part's name means the organ, then: in an image, all
-  // labels are left out; in a model, the parts that would be left out are the organ, or, if there
-  // are none, all parts are.
+  // Fills the table with the parts of a file, and proposes a role for each part by its name
+  // (structureKind()). A part is left out if its name tells no kind, or if it is a gallbladder.
+  //
+  // If no part has the name of an organ's tissue, the following rules replace this. In an image,
+  // all labels are left out. In a model, the parts that would be left out become the organ, and the
+  // other parts keep their roles. If no part of the model would be left out, all parts become the
+  // organ.
   void fill(const std::vector<FilePart>& parts, bool image);
   void setAbout(int row, const QString& about) { item(row, 1)->setText(about); }
   bool filled() const { return !parts_.empty(); }
@@ -28,8 +31,8 @@ class PartsTable : public QTableWidget {
   bool hasOrgan() const;
   const FilePart& organ() const;  // the first one with this role; hasOrgan() must be true
   bool isCavity(int row) const;
-  // Sets source.part and source.structures by the roles. The file of `source` has these parts. Of a
-  // folder's images, source.file becomes the organ's.
+  // Sets source.part and source.structures as the roles say. source.file must be the file that has
+  // these parts. If it is a folder, it is replaced by the organ's image.
   void applyTo(OrganSource& source) const;
 
   QPoint rolePlace(int row) const;  // centre of the row's list of roles, in screen coordinates

@@ -1,5 +1,6 @@
 // A small picture of a closed or open surface. The surface turns about the vertical, so that a
-// person sees what a file holds before it becomes an organ. Dragging with the mouse turns it, too.
+// person sees what a file holds before it becomes an organ. The person can also turn the surface by
+// dragging with the mouse.
 #pragma once
 
 #include <Inventor/nodes/SoRotation.h>
@@ -23,8 +24,9 @@ class SurfaceView : public QWidget {
   explicit SurfaceView(QWidget* parent = nullptr);
   ~SurfaceView() override;
 
-  // mesh: in the room's axes (+X the patient's left, +Y the front, up in the picture, +Z the feet,
-  // towards the viewer at first). Coordinates in any unit. Throws Error if OpenGL is missing.
+  // mesh: coordinates along the room's axes, in any unit. +X points to the patient's left, +Y to
+  // the front, +Z to the feet. In the picture +Y points up, and +Z points towards the viewer at
+  // first. Throws Error if OpenGL is missing.
   void setSurface(const TriangleMesh& mesh);
   int pictures() const { return pictures_; }  // number of pictures drawn so far
 
@@ -44,7 +46,8 @@ class SurfaceView : public QWidget {
   QTimer timer_;
   QElapsedTimer clock_;
   QPoint grabbed_;
-  double angle_ = 0, slope_ = 0.25;  // rad: about the vertical; tilt towards the viewer
+  // angle_: turn about the vertical, rad. slope_: tilt towards the viewer, rad.
+  double angle_ = 0, slope_ = 0.25;
   int pictures_ = 0;
 };
 

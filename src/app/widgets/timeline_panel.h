@@ -32,23 +32,24 @@ class TimelinePanel : public QWidget {
   // requests are done.
   void follow(const LiveState& state, bool showing, bool answered);
 
-  // step() shows the moment that is `frames` frames later than the moment shown or requested;
-  // earlier if `frames` is negative. toStart() shows the start, toEnd() the end of the branch.
-  // While the user operates, there is no later moment: then toEnd(), and step() with frames >= 0,
-  // do nothing.
+  // step() shows the moment that is `frames` frames later than the moment shown or requested. If
+  // `frames` is negative, this is an earlier moment. toStart() shows the start of the operation.
+  // toEnd() shows the end of the branch. While the user operates, there is no later moment: then
+  // toEnd(), and step() with frames >= 0, do nothing.
   void step(std::int64_t frames);
   void toStart() { ask(0); }
   void toEnd();
   bool atEnd() const { return frame_ >= end_ && asked_ < 0; }
   void togglePlayback();
-  // Whether developers' figures are shown too: memory, particles and bonds.
+  // Sets whether the panel also shows figures for developers: memory, particles and bonds.
   void setLaboratory(bool shown);
   // The branch that is shown.
   std::int64_t branch() const { return branch_; }
   double frameRate() const { return frameRate_; }
   // Shows the end of a branch.
   void lookAt(std::int64_t branch);
-  // The bar's ends, in pixels of the screen: the start and the end of the operation.
+  // The two ends of the bar, in pixels of the screen. They stand for the start and the end of the
+  // operation.
   std::pair<QPoint, QPoint> barEnds() const;
 
   // Called when the user asks to show a moment (wanted), to play (playback), to operate from the
@@ -61,7 +62,7 @@ class TimelinePanel : public QWidget {
   friend class TimelineBar;
   void listBranches();
   static bool isListed(const Timeline::Course& course);
-  // The listed branches that leave the course of the branch that is shown.
+  // Those listed branches that begin at a moment on the course of the branch that is shown.
   std::vector<const Timeline::Course*> branchesBeside() const;
   void ask(std::int64_t frame);
 

@@ -1,9 +1,9 @@
 // One digest per named field of a state, cheap enough for every frame.
 //
 // With the digests two states can be compared field by field although neither state is kept. A
-// recording holds the digests of each frame; the first digest that differs shows which field
-// differs. Fields with the same path, such as the displacements of several organs, share a digest.
-// Cost: 0.1 ms per MB of state.
+// recording holds the digests of each frame. A digest that differs shows which field differs.
+// Fields with the same path, such as the displacements of several organs, share a digest. Cost: 0.1
+// ms per MB of state.
 #pragma once
 
 #include <cstdint>
@@ -18,15 +18,15 @@ namespace resect {
 class FieldHashes final : public StateVisitor {
  public:
   FieldHashes() = default;
-  // Takes the paths that another object had, and seals them.
+  // Starts with the paths of another FieldHashes object, and seals them.
   explicit FieldHashes(std::vector<std::string> paths);
 
-  // Fixes the set of paths. From now on, a list that has never had an entry counts as a single
-  // field, together with all that its entries will hold. So the number of digests does not depend
-  // on what happens later.
+  // Fixes the set of paths, so that the number of digests does not depend on what happens later. A
+  // list that has never had an entry has shown no paths of fields yet. From now on, this list
+  // counts as a single field, together with everything in its future entries.
   void seal();
-  // Whether a field was visited whose path is not in the sealed set. Such a state was made by
-  // another version of the program.
+  // Whether a visited state had a field whose path is not in the sealed set. If so, another version
+  // of the program made this state.
   bool strange() const { return strange_; }
 
   // Paths, such as "organs.tissue.u", in the order in which visit() first names them.
@@ -48,15 +48,15 @@ class FieldHashes final : public StateVisitor {
 
   bool sealed_ = false, strange_ = false;
   std::vector<char> leaf_;  // 1: no path lies below this one
-  // While inside a list that counts as a single field: the nesting depth (0: outside such a list),
-  // and the number of that field.
+  // Used inside a list that counts as a single field. inField_: nesting depth inside the list; 0:
+  // outside such a list. field_: number of the single field.
   std::size_t inField_ = 0, field_ = 0;
   std::uint64_t ignored_ = 0;
   std::string path_;
   std::vector<std::size_t> lengths_;  // length of path_ before each enter()
   std::vector<std::string> paths_;
   std::vector<std::uint64_t> values_;
-  std::size_t next_ = 0;  // expected index of the next field: all visits have the same order
+  std::size_t next_ = 0;  // expected index of the next field, as all visits have one order
 };
 
 // Digest of bytes, computed in four lanes for speed. If a single 8-byte word changes, the digest

@@ -8,8 +8,8 @@
 //   2: nothing follows; all words are 0
 //   3: nothing follows; all words are 1
 //
-// h is written with 7 bits per byte, the lowest bits first. The eighth bit is set in all bytes but
-// the last. Cost: a few nanoseconds per word.
+// h is written with 7 bits per byte, the lowest bits first. The eighth bit of a byte is set if
+// another byte of h follows. Cost: a few nanoseconds per word.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ namespace resect {
 
 using Bytes = std::vector<std::byte>;
 
-void appendNumber(Bytes& to, std::uint64_t number);  // 1 to 10 bytes
+void appendNumber(Bytes& to, std::uint64_t number);  // appends 1 to 10 bytes
 
 // word: bytes per word, 1, 2, 4 or 8. data: a whole number of words.
 void appendRuns(Bytes& to, std::span<const std::byte> data, std::size_t word);
@@ -32,7 +32,7 @@ class ByteReader {
  public:
   explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
   std::uint64_t number();
-  std::span<const std::byte> bytes(std::size_t count);  // the next `count` bytes, as they are
+  std::span<const std::byte> bytes(std::size_t count);  // the next `count` bytes
   // Unpacks the next runs and appends their words to `to`. `bytes`: total size of these words.
   // `word`: bytes per word.
   void runs(Bytes& to, std::size_t bytes, std::size_t word);

@@ -1,18 +1,20 @@
 // A state as columns, for saving, loading and comparing.
 //
-// Each named field of a struct has one column. If the state holds several of these structs (say, a
-// list of organs), the column holds the values of this field in all of them, one after the other.
+// Each named field of a struct has one column. A state may hold several structs of one type, such
+// as a list of organs. Then the column holds the field's value in the first struct, followed by its
+// value in the second struct, and so on.
 //
-// Columns are found by name. So a state that an older version saved can still be read after structs
-// gained fields or changed the order of their fields. Two states are compared field by field.
+// Columns are found by name. So a state that an older version of the program saved can still be
+// read after a struct gained fields or changed the order of its fields. Two states are compared
+// field by field.
 //
 // The format has these parts, in this order:
 // - the text "resect-state",
 // - the version,
 // - a fingerprint of the operation that the state belongs to,
-// - the columns: each column is followed at once by the columns of its own fields,
-// - a digest of all bytes before the digest (base/state/state_hash.h). If it does not match, the
-//   bytes are refused as truncated or damaged.
+// - the columns; a column comes immediately before the columns of its own fields,
+// - a digest of all bytes before the digest (base/state/state_hash.h). If the digest does not match
+//   these bytes, the state is refused as truncated or damaged.
 // Numbers are packed by base/state/run_length.h in the byte order of the processor (little endian
 // on all machines that Resect runs on).
 #pragma once
@@ -28,18 +30,19 @@
 namespace resect {
 
 // The column of one field. The field consists of numbers, or it is a struct with fields of its own.
-// In both cases it may be a list.
+// In both cases the field may be a list.
 struct StateColumn {
   std::string name;
   std::uint8_t size = 0;  // bytes per number; 0: a struct
-  // A list may occur in several structs. counts: the length of the list in each of them, in the
-  // order in which they were visited.
+  // Only for a list. A list may occur in several structs. counts: the length of the list in each of
+  // these structs, in the order in which the structs were visited.
   std::vector<std::uint64_t> counts;
   bool isList = false;
   Bytes data;                       // the numbers; empty for a struct
   std::vector<StateColumn> fields;  // the columns of a struct's fields; else empty
-  // For a list with one entry per cell: how the coordinates of cells map to positions in the list,
-  // one CellOrder for each entry of `counts`. Not saved.
+  // Only for a list with one entry per cell. A CellOrder says how the coordinates of cells map to
+  // positions in the list. There is one CellOrder for each entry of `counts`. The orders are not
+  // saved.
   std::vector<CellOrder> orders;
 };
 
@@ -57,20 +60,21 @@ Bytes toBytes(const SavedState& saved);
 // Throws Error if the bytes are not a saved state, or are truncated or damaged.
 SavedState stateFromBytes(std::span<const std::byte> bytes);
 
-// Overwrites the fields of `state`. If `saved` lacks a field, throws an Error that names it.
-// There is one exception: if `saved` is of an older version than kStateVersion, the field of
-// `state` keeps the value that it had before the call. If `saved` has a field that `state` does not
-// have, throws an Error that names it, for every version. Whether the values make sense is for the
-// caller to check.
+// Overwrites the fields of `state`. If `saved` lacks a field of `state`, the effect depends on the
+// version of `saved`. If the version is kStateVersion, loadState() throws an Error that names the
+// field. If the version is older, the field of `state` keeps its value. If `saved` has a field that
+// `state` does not have, loadState() throws an Error that names the field, for every version.
+// Whether the values make sense is for the caller to check.
 template <typename State>
 void loadState(State& state, const SavedState& saved);
 
-// The name of the first field in which two states differ; nothing if the states are equal. In a
-// list with one entry per cell the cell is named too: "organs.tissue.u.1, cell (12, 3, 40)". If
-// this list occurs in several structs (as with several organs), its number, from 0, follows the
-// field: "organs.tissue.u.1, list 0, cell (12, 3, 40)". If both states were made by
-// stateFromBytes(), the cells are not known. Then the position of the value in its column follows
-// the field, from 0: "organs.tissue.u.1, number 4711".
+// The name of the first field in which two states differ; no value if the states are equal. If the
+// field is a list with one entry per cell, the cell is named too: "organs.tissue.u.1, cell (12, 3,
+// 40)". If this list occurs in several structs (for example in several organs), the field is
+// followed by the number of the list, counted from 0: "organs.tissue.u.1, list 0, cell (12, 3,
+// 40)". If both states were made by stateFromBytes(), the cells are not known. Then the field is
+// followed by the position of the value in the field's column, counted from 0: "organs.tissue.u.1,
+// number 4711".
 std::optional<std::string> firstDifference(const SavedState& a, const SavedState& b);
 
 class ColumnWriter final : public StateVisitor {
@@ -85,7 +89,7 @@ class ColumnWriter final : public StateVisitor {
 
  private:
   StateColumn& field(const char* name);
-  std::vector<StateColumn*> path_;    // from the root to the struct or list being visited
+  std::vector<StateColumn*> path_;    // columns from the root to the one being visited
   std::vector<std::size_t> next_{0};  // per entry of path_: index of the field expected next
 };
 
@@ -104,7 +108,8 @@ class ColumnReader final : public StateVisitor {
  private:
   struct Cursor {
     const StateColumn* column = nullptr;
-    // Read so far: bytes of column->data, and entries of column->counts.
+    // read: number of bytes of column->data read so far. lists: number of entries of column->counts
+    // read so far.
     std::size_t read = 0, lists = 0;
     std::size_t next = 0;  // index in `fields` of the field expected next
     std::vector<Cursor> fields;
@@ -118,7 +123,8 @@ class ColumnReader final : public StateVisitor {
 
   const bool older_;  // the saved state is of an older version than kStateVersion
   Cursor root_;
-  // From the root to the struct or list being visited. Null: an older saved state lacks it.
+  // The columns from the root to the struct or list being visited. Null: the saved state is older
+  // and lacks this struct or list.
   std::vector<Cursor*> path_;
 };
 

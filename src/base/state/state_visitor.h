@@ -4,17 +4,18 @@
 //     template <class Visitor> void visit(Visitor& v) { v("time", time); v("poses", poses); ... }
 //
 // Every operation on all fields is a StateVisitor: computing the digest (HashVisitor), saving and
-// loading (base/state/saved_state.h), counting the memory held (HeldBytes). Fields that are
-// derived, or set up once and never changed, are not state. They are named in visitMade(), by
-// v.made(field, another, ...), so that their memory is counted. A test finds fields that neither
-// visit() nor visitMade() names.
+// loading (base/state/saved_state.h), counting the memory held (HeldBytes). Two sorts of fields are
+// not state: derived data, and fields that never change after they were set up. visitMade() names
+// these fields, by v.made(field, another, ...), so that their memory is counted. A test finds
+// fields that neither visit() nor visitMade() names.
 //
 // A field may be:
 //
 //   - a number, an enum, a fixed-size Eigen matrix, an Eigen::Quaterniond or a string;
 //   - a struct with visit();
-//   - an array of these, with at most 9 entries unless they are numbers, enums or matrices;
-//   - a vector of numbers, enums, matrices, arrays of numbers or structs;
+//   - an array of numbers, enums or matrices;
+//   - an array of other types of this list, with at most 9 entries;
+//   - a vector of numbers, of enums, of matrices, of arrays of numbers, or of structs;
 //   - a std::optional, which counts as a list of at most one entry.
 //
 // Names are string literals. A visitor that only reads must not write to the fields, since
@@ -120,7 +121,7 @@ class StateVisitor {
       leave();
     }
   }
-  // Fields that are not state.
+  // Names fields that are not state.
   template <typename... T>
   void made(T&... fields) {
     (madeOne(fields), ...);
@@ -150,10 +151,10 @@ class StateVisitor {
   virtual void memory(std::size_t) {}
   // `count` numbers of `size` bytes each.
   virtual void numbers(const char* name, void* data, std::size_t count, std::size_t size) = 0;
-  // Called when a list of `count` entries begins. Returns the number of entries that it must have;
-  // only a visitor that loads may return another number than `count`. The entries follow. Numbers
-  // and matrices come in one call of numbers() with an empty name. Structs come one after the
-  // other, each field by field. leave() ends the list.
+  // Called when a list of `count` entries begins. Returns the number of entries that the list must
+  // have. Only a visitor that loads may return another number than `count`. Then the entries are
+  // visited. Numbers and matrices come in one call of numbers() with an empty name. Structs come
+  // one after the other, and each struct comes field by field. A call of leave() ends the list.
   virtual std::size_t enterList(const char* name, std::size_t count) = 0;
   virtual void enter(const char* name) = 0;
   virtual void leave() = 0;
@@ -175,8 +176,8 @@ class StateVisitor {
     else if constexpr (IsArray<T>::value)
       for (auto& element : field) madeMemory(element);
   }
-  // If the loaded byte of a bool is neither 0 nor 1, the bool becomes true. Writes in no other
-  // case.
+  // If the loaded byte of a bool is neither 0 nor 1, sets the bool to true. Otherwise writes
+  // nothing.
   static void makeBool(bool& field) {
     unsigned char byte = 0;
     std::memcpy(&byte, &field, 1);
@@ -216,8 +217,8 @@ class StateVisitor {
       numbers("", field.data(), count * PlainOf<Element>::count,
               sizeof(typename PlainOf<Element>::Scalar));
     } else {
-      // The list grows while it is loaded. So if a damaged state gives too large a count, no memory
-      // is allocated for that many entries.
+      // The list grows step by step while it is loaded. A damaged state may give too large a count;
+      // then memory is not allocated for all these entries at once.
       if (count < field.size()) field.resize(count);
       for (std::size_t i = 0; i < count; ++i) {
         if (i == field.size()) field.resize(std::min(count, i + std::max(i, std::size_t(64))));
@@ -272,8 +273,8 @@ class HashVisitor final : public StateVisitor {
   StateHash hash_;
 };
 
-// Heap memory of all fields, bytes. A list counts with its capacity. A field that is not state
-// counts with the result of its function bytes(), if it has one.
+// Heap memory of all fields, bytes. The memory of a list is computed from the list's capacity. If a
+// field that is not state has a function bytes(), the result of this function is its memory.
 class HeldBytes final : public StateVisitor {
  public:
   std::size_t value() const { return bytes_; }

@@ -1,12 +1,12 @@
-// Times as people read them in tables and JSON.
+// Rounds times for people who read them in tables and JSON.
 #pragma once
 
 #include <cmath>
 
 namespace resect {
 
-// Rounds a time in s to nanoseconds, so that a sum of frames such as 9.200000000000037 s is printed
-// as 9.2.
+// Rounds a time in s to nanoseconds, so that a sum of the durations of frames, such as
+// 9.200000000000037 s, is printed as 9.2.
 inline double printedTime(double seconds) { return std::round(seconds * 1e9) / 1e9; }
 
 }  // namespace resect

@@ -3,7 +3,8 @@
 //
 // Control characters, line ends, and Unicode characters that reverse or hide text become visible,
 // for example as \n, \t, \x1b or \u202e. Bytes that are not valid UTF-8 become \xNN. Everything
-// else is unchanged, backslashes too, since the result is to be read, not to be parsed.
+// else is unchanged, also backslashes, since the result is for people to read and not for programs
+// to parse.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +18,8 @@ inline constexpr std::size_t kLongestShown = 200;       // of a name or a title
 inline constexpr std::size_t kLongestSentence = 900;    // of a sentence that contains foreign text
 inline constexpr std::size_t kLongestShownPath = 4200;  // of a path, or of a line of output
 
-// Of a text of more than `most` characters, only the beginning and the end are shown, with " ... "
-// between them.
+// If a text has more than `most` characters, only its beginning and its end are shown. Between them
+// stands " ... ".
 std::string shownText(std::string_view text, std::size_t most = kLongestShown);
 
 // The same for the sentence of an error, a note or a fault.

@@ -1,12 +1,13 @@
 // Blood as a film on the skin of one organ.
 //
 // The volume of blood on each skin cell is a whole number of picolitres. In a frame the wet cells
-// are visited from the highest to the lowest. Each cell passes on to its lower neighbours what a
-// film of its thickness h carries down the slope: q = rho g h^3 sin(slope) / (3 mu) per unit of
-// width. This flow is solved implicitly, so one sweep over the cells is a step of the kinematic
-// wave equation. Dry skin is wetted only by a film thicker than a threshold, so blood runs in
-// rivulets. Where a cell has no lower neighbour, blood gathers in level ponds. Under an overhang
-// blood hangs until it drips.
+// are visited from the highest to the lowest. From each cell, blood flows to the lower neighbours
+// as a film flows down a slope. The flow per unit of width is q = rho g h^3 sin(slope) / (3 mu),
+// with the film's thickness h, the density rho and the viscosity mu of blood, and gravity g. The
+// flow out of a cell is solved implicitly. So one sweep over the cells is a time step of the
+// kinematic wave equation. Dry skin is wetted only by a film thicker than a threshold, so blood
+// runs in rivulets. Where a cell has no lower neighbour, blood gathers in level ponds. Under an
+// overhang blood hangs until it drips.
 #pragma once
 
 #include <cstdint>
@@ -47,19 +48,20 @@ class BloodFilm {
  public:
   // Finds the organ's skin. Call it once, and again after the organ was restored.
   void setUp(const OperatedOrgan& organ);
-  // Updates the skin near `cells`, at which edits may have changed it. Blood on a cell that has no
-  // skin any more goes to the lowest skin cell beside it; if there is none, it falls as a drop,
-  // which is appended to `drops`. Appends the faces that the edits opened to `opened`.
+  // Updates the skin near `cells`: the cells at which edits may have changed the skin. If a cell no
+  // longer has skin, its blood goes to the lowest skin cell beside it. If there is no skin cell
+  // beside it, the blood falls as a drop, which is appended to `drops`. Appends to `opened` the
+  // faces that the edits opened.
   void renew(const OperatedOrgan& organ, std::span<const std::int64_t> cells,
              std::vector<BloodDrop>& drops, std::vector<OpenedFaces>& opened);
   bool ready() const { return !skin_.empty(); }
 
-  // Computes the present position and normal of the skin at the wet cells and at those beside them.
-  // Call it once per frame, after the tissue has moved.
+  // Computes the present position and normal of the skin at the wet cells and at the cells beside
+  // them. Call it once per frame, after the tissue has moved.
   void place(const OperatedOrgan& organ);
-  // Computes a frame of `duration`, s. Appends the blood that drips to `drops`. If there is a table
-  // (`table`), the blood that runs onto it where skin touches it is also appended to `drops`, at
-  // height 0.
+  // Computes the flow in a frame that lasts `duration`, s. Appends to `drops` the blood that drips.
+  // table: whether there is a table. Where skin touches the table, blood runs onto the table; this
+  // blood is also appended to `drops`, at height 0.
   void step(double duration, bool table, std::vector<BloodDrop>& drops);
 
   // Call this at the end of a frame. It writes the wet cells to wet(), which is the state.
@@ -71,11 +73,12 @@ class BloodFilm {
   Picolitres take(const Vec3& place, double radius, Picolitres most);
 
   // The skin cell nearest to a point in rest space, at most three cells away along each axis; -1 if
-  // there is none. beside: the preferred direction from the point, or zero for none. If the
-  // direction to a cell's centre is more than 90 degrees from `beside`, the cell counts as one
-  // spacing farther away.
+  // there is no such cell. beside: the preferred direction from the point; zero if no direction is
+  // preferred. If the direction to a cell's centre is more than 90 degrees from `beside`, the cell
+  // counts as one spacing farther away.
   std::int64_t skinNear(const Vec3& rest, const Vec3& beside) const;
-  // The present position of a cell's skin, world, m, and its normal. The cell must be a skin cell.
+  // The present position (world, m) and the normal of the skin at a cell, which must be a skin
+  // cell.
   struct SkinPlace {
     Vec3 place, normal;
   };
@@ -97,11 +100,11 @@ class BloodFilm {
   void remake(const OperatedOrgan& organ);
 
  private:
-  struct Spot {  // where the skin of a cell is in this frame, world
+  struct Spot {  // the skin of a cell in this frame, world
     Vec3f place, normal;
     float area = 0;        // m^2
     double height = 0;     // m
-    double perVolume = 0;  // rise of the film's surface, m/pl; 0 where blood hangs
+    double perVolume = 0;  // rise of the film's surface per volume, m/pl; 0 where blood hangs
   };
 
   Spot spotOf(const OperatedOrgan& organ, std::int32_t number) const;

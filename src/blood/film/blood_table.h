@@ -27,16 +27,16 @@ class BloodTable {
   // Adds blood at a point in the world. Returns false, and adds nothing, if the point is not on the
   // table.
   bool add(const Vec3& place, Picolitres volume);
-  // Computes a frame: the puddles level out, and spread over dry cloth where they are deep enough.
+  // Computes a frame: the puddles level out, and deep puddles spread over dry cloth.
   void step();
-  // Takes blood from the patches whose middles are within `radius`, m, of a point in the world: at
-  // most `most` in all. Returns the volume taken.
+  // Takes blood from the patches whose middles are within `radius`, m, of a point in the world.
+  // Takes at most the volume `most` in all. Returns the volume taken.
   Picolitres take(const Vec3& place, double radius, Picolitres most);
 
   Picolitres volume() const;
   const std::vector<TablePatch>& wet() const { return wet_; }  // ascending by number
   static bool has(std::int32_t number);       // whether there is a patch of that number
-  static Vec3 middleOf(std::int32_t number);  // of a patch, world, m
+  static Vec3 middleOf(std::int32_t number);  // middle of the patch, world, m
   std::size_t bytes() const {
     return wet_.capacity() * sizeof(TablePatch) + 8 * volumes_.capacity();
   }
@@ -51,7 +51,7 @@ class BloodTable {
   void list();
 
   std::vector<TablePatch> wet_;      // state
-  std::vector<Picolitres> volumes_;  // derived: volume on patch [number]; empty until blood falls
+  std::vector<Picolitres> volumes_;  // derived: volume per patch; empty until blood falls
 };
 
 }  // namespace resect

@@ -1,4 +1,5 @@
-// Volumes of blood as whole picolitres. Sums of them are exact, so no blood is lost or created.
+// Volumes of blood as whole picolitres. Sums of such volumes are exact, so no blood is lost or
+// created.
 #pragma once
 
 #include <cstdint>

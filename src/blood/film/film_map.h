@@ -1,4 +1,4 @@
-// The thickness of a film of blood, as a map that viewers draw.
+// Makes a map of the thickness of a film of blood, for viewers to draw.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,8 @@
 
 namespace resect {
 
-// Cost: clearing the map, and a term proportional to the number of wet cells and their neighbours.
+// Cost: the time to clear the map, plus a time proportional to the number of wet cells and their
+// neighbours.
 std::shared_ptr<const TissueMap> filmMap(const BloodFilm& film, const OperatedOrgan& organ);
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// The skin cells of an organ, over which blood runs: particles with a free face, with the shape of
-// the skin there.
+// The skin cells of an organ, over which blood runs. A skin cell is a particle with a free face.
+// The shape of the skin at this face is also given.
 //
 // A particle's face is free where no bonded particle lies beyond it: on the organ's surface, on the
 // walls of a wound, and on the lips of an incision that is closed. Everything here is derived from
@@ -16,8 +16,8 @@
 
 namespace resect {
 
-// Numbers of cells on the organ's lattice with a layer of empty cells round it, x fastest. So every
-// cell of the lattice has 26 neighbours.
+// Numbers the cells of the organ's lattice and of one layer of empty cells round the lattice, x
+// fastest. Thanks to the layer, every cell of the lattice has 26 neighbours.
 struct PaddedNumbers {
   Vec3i dims = Vec3i::Zero();  // of the lattice
   std::int32_t step(int direction) const {
@@ -38,13 +38,13 @@ struct PaddedNumbers {
 };
 
 struct SkinCell {
-  // Both in rest space. normal: unit, pointing out of the tissue. offset: vector from the cell's
-  // centre to its skin, m.
+  // normal and offset are in rest space. normal: unit, pointing out of the tissue. offset: vector
+  // from the cell's centre to its skin, m.
   Vec3f normal = Vec3f::Zero(), offset = Vec3f::Zero();
-  float area = 0;          // of the skin at this cell, at rest, m^2
-  std::uint32_t free = 0;  // bit d: a particle lies in direction d, but its bond is severed
+  float area = 0;          // area of the skin at this cell, at rest, m^2
+  std::uint32_t free = 0;  // bit d: the bond to a particle in direction d is severed
   std::uint32_t ways = 0;  // bit d: blood can run to the skin cell in direction d
-  std::uint32_t open = 0;  // bit d: the face in direction d is free (6 face neighbours)
+  std::uint32_t open = 0;  // bit d: the face in direction d is free (6 directions only)
   bool skin = false;
   bool slit = false;  // all free faces of the cell are lips of closed cuts
 };
@@ -60,8 +60,8 @@ class SkinCells {
   SkinCells() = default;
   explicit SkinCells(const OperatedOrgan& organ);  // finds all skin cells
 
-  // Updates all cells that edits at `cells` may have changed: those up to two cells away along each
-  // axis. Appends the faces that the edits opened to `opened`.
+  // Updates all cells that edits at `cells` may have changed: all cells up to two cells away along
+  // each axis. Appends to `opened` the faces that the edits opened.
   void renew(const OperatedOrgan& organ, std::span<const std::int64_t> cells,
              std::vector<OpenedFaces>& opened);
 
@@ -83,7 +83,7 @@ class SkinCells {
   Lattice lattice_;
   PaddedNumbers numbers_;
   std::array<std::int32_t, kDirections> steps_{};
-  std::vector<SkinCell> cells_;  // by number
+  std::vector<SkinCell> cells_;  // index: number of the cell
 };
 
 }  // namespace resect

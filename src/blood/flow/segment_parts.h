@@ -9,14 +9,14 @@
 
 namespace resect {
 
-// The part of the tissue that each cell belongs to: 0 for the body, from 1 on the number of a
-// separated piece, SegmentPart::kCrumb for debris and where there is no tissue. Cost: that of
-// tissueParts() (organ/parts/tissue_parts.h).
+// For each cell, the part of the tissue to which the cell belongs. 0: the body. 1 or more: the
+// number of a separated piece. SegmentPart::kCrumb: the cell is debris or has no tissue. The cost
+// is that of tissueParts() (organ/parts/tissue_parts.h).
 std::vector<std::int32_t> partOfCells(const OperatedOrgan& organ);
 
-// The segments that belong to another part than the body, ascending. A segment belongs to the part
-// in which its leaves end; if they end in several parts, to one of these. part: the result of
-// partOfCells().
+// The segments that do not belong to the body, ascending. A segment belongs to the part in which
+// the leaves of its subtree end. If these leaves end in several parts, the segment belongs to one
+// of these parts. part: the result of partOfCells().
 std::vector<SegmentPart> segmentsApart(const Organ& organ, std::span<const std::int32_t> part);
 
 }  // namespace resect

@@ -1,16 +1,19 @@
 // Pressure and flow in vessels with injuries.
 //
-// The resistance of a vessel follows Poiseuille's law. At an open end the kinetic energy of the jet
-// costs a further pressure, dp = 1.56 rho |Q| Q / (2 A^2), with the flow Q and the open area A. All
-// leaves in one connected part of the tissue end in sinusoids at one common pressure. At this
-// pressure as much blood flows into these sinusoids as out of them. In a part to which no vessel
-// leads any more, nothing flows. If blood flows from the sinusoids back into branches of the portal
-// vein or artery, the sinusoids collapse: the leaves of these branches then have a fifth of their
-// conductance (an estimate).
+// The resistance of a vessel follows Poiseuille's law. At an open end there is a further loss of
+// pressure by the kinetic energy of the jet: dp = 1.56 rho |Q| Q / (2 A^2), with the density rho of
+// blood, the flow Q and the open area A. All leaves in one connected part of the tissue end in
+// sinusoids at one common pressure. At this pressure, the flow into these sinusoids equals the flow
+// out of them. If a part is no longer connected to any source, nothing flows in it.
+//
+// A cut, a clip or a clamp can separate branches of the portal vein or of the artery from their
+// source. Blood can then flow back from the sinusoids into these branches, and the sinusoids
+// collapse. So the leaves of these branches have a fifth of their conductance (an estimate).
 //
 // Each subtree without injuries is reduced in advance to one conductance between its parent and the
-// sinusoids. So the cost of a frame is that of the injured segments and of those between them and
-// the root, and not that of the whole tree.
+// sinusoids. So in a frame, the equations need not be solved for the whole tree, but only for the
+// injured segments and for the segments between them and the root. (A segment with a clip counts
+// like an injured segment. So does a segment whose branches lead to different parts of the tissue.)
 #pragma once
 
 #include <array>
@@ -27,7 +30,7 @@ namespace resect {
 // Conditions outside the two ends of an injury (index: VesselEnd).
 struct EndOutside {
   double pressure[2] = {0, 0};      // just outside the end, relative to the atmosphere, Pa
-  bool closed[2] = {false, false};  // nothing can flow out, as inside tissue
+  bool closed[2] = {false, false};  // true: nothing can flow out, for example inside tissue
 };
 
 class VesselFlow {
@@ -35,13 +38,14 @@ class VesselFlow {
   VesselFlow() = default;
   VesselFlow(std::shared_ptr<const VesselMap> map, const Circulation& circulation);
 
-  // Computes the flows out of all open ends and writes them to state.injuries; a flow is never
-  // below 0. outside: one entry per injury. sources: the present pressures of the sources, divided
-  // by their values at rest. sinusoids: the pressures in the sinusoids, Pa, one per part of the
-  // tissue (SegmentPart), the body first; the caller passes the pressures that the last call gave,
-  // and solve() updates them. The pressure loss at an end depends on the flow, so each call does
-  // four iterations that start from the last flows; after a change it takes several calls until the
-  // flow is steady. Returns the flow of air into open hepatic veins, m^3/s.
+  // Computes the flows out of all open ends and writes them to state.injuries. A flow is never
+  // below 0. outside: one entry per injury. sources: the present pressures of the sources.
+  // sinusoids: the pressures in the sinusoids, Pa, one for each part of the tissue (SegmentPart),
+  // the body first. The caller passes the pressures from the last call, and solve() updates them.
+  //
+  // The pressure loss at an end depends on the flow. So each call does four iterations, which start
+  // from the last flows. After a change, the flow is steady only after several calls. Returns the
+  // flow of air into open hepatic veins, m^3/s.
   double solve(VesselState& state, std::span<const EndOutside> outside, const SourceShares& sources,
                std::vector<double>& sinusoids) const;
 
@@ -60,7 +64,9 @@ class VesselFlow {
     double leafConductance = 0;
     std::vector<std::int32_t> firstChild, children, roots;  // indices within the tree
     std::vector<double> resistance;                         // of each segment, Pa s/m^3
-    // Per segment: the conductance from its start to the sinusoids, [0] forwards, [1] backwards.
+    // Per segment: conductance from the segment's start to the sinusoids. seen[0]: for flow towards
+    // the sinusoids in the portal vein and in the artery. seen[1]: for flow back from the
+    // sinusoids.
     std::array<std::vector<double>, 2> seen;
     mutable double inflow = 0;
   };
@@ -74,11 +80,11 @@ class VesselFlow {
                  std::span<const double> sinusoids, bool keep, std::span<double> into,
                  double& air) const;
 
-  // Used by solve(): per injury and VesselEnd, whether the end is closed because the pressure
-  // outside is higher than inside.
+  // Used by solve(). Per injury and VesselEnd: whether the end is closed because the pressure
+  // outside is higher than the pressure inside.
   mutable std::vector<std::array<bool, 2>> collapsed_;
   std::shared_ptr<const VesselMap> map_;
-  const Anatomy* anatomy_ = nullptr;  // of map_
+  const Anatomy* anatomy_ = nullptr;  // the anatomy of map_
   std::array<Tree, kVesselKinds> trees_;
 };
 

@@ -1,5 +1,5 @@
-// The subcommands of `resect`. Each function adds one; src/cli/command/<subcommand>_command.cpp
-// defines it.
+// The subcommands of `resect`. Each function adds one subcommand. The function is defined in
+// src/cli/command/<subcommand>_command.cpp.
 #pragma once
 
 #include "cli/command_line.h"

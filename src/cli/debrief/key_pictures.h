@@ -1,4 +1,5 @@
-// Pictures of some moments of a recorded operation, and a clip of the first one.
+// Makes pictures of some moments of a recorded operation, and a video clip of the first of these
+// moments.
 #pragma once
 
 #include <filesystem>
@@ -11,14 +12,15 @@
 namespace resect {
 
 struct KeyMoments {
-  std::vector<std::string> pictures;  // per time: bytes of a PNG file, or ""
+  std::vector<std::string> pictures;  // per element of `times`: bytes of a PNG file, or ""
   std::string clip;                   // bytes of an MP4 file; empty: there is none
 };
-// Draws a picture of 640 x 400 pixels for each element of `times`, s. The picture is "" if the
-// element has no time, if an earlier element has the same time, or if kMostKeyPictures different
-// times come before. If ffmpeg is installed, makes a clip from 1.4 s before to 0.6 s after the
-// first time. Plays the course that leads to RecordingFile::moment(). Throws Error if this machine
-// cannot draw pictures.
+// Draws a picture of 640 x 400 pixels for each element of `times`, s. There are three exceptions,
+// for which the picture is "": the element has no time; an earlier element has the same time; the
+// elements before it have kMostKeyPictures different times already. If ffmpeg is installed, also
+// makes a clip, from 1.4 s before the first time to 0.6 s after it. The recording is played along
+// the course that leads to RecordingFile::moment(). Throws Error if this machine cannot draw
+// pictures.
 KeyMoments keyMoments(const std::filesystem::path& recording,
                       const std::vector<std::optional<double>>& times,
                       const Progress& progress = {});

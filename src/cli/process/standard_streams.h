@@ -8,17 +8,18 @@
 namespace resect {
 
 // To be called first in main(). If one of the three streams is closed, opens /dev/null in its
-// place, for reading only, so that printing to it fails. Otherwise a file that is opened later
-// would get its descriptor, and printed text would be written into that file.
+// place, for reading only, so that printing to the stream fails. Otherwise a file that is opened
+// later would get the descriptor of the closed stream, and printed text would be written into that
+// file.
 void openStandardStreams();
 
 // To be called last in main(). Closes standard output. Throws Error if not all of the printed text
 // was written.
 void finishStandardOutput();
 
-// The stream for text to people. This is standard output. If one of `outputs` goes to standard
-// output (isStandardOutput()), the text goes to standard error instead, so that text and output do
-// not mix.
+// The stream for text to people. It is standard output, unless one of `outputs` goes to standard
+// output (isStandardOutput()). In that case it is standard error, so that text and output do not
+// mix.
 std::FILE* placeForText(std::initializer_list<std::filesystem::path> outputs);
 
 }  // namespace resect

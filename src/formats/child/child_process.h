@@ -2,8 +2,8 @@
 // works inside a sandbox (formats/child/sandbox.h). The result comes back through a pipe. Cost:
 // about 3 ms per call, plus copying the result.
 //
-// If the work crashes, loops endlessly or takes too much memory, this process goes on unharmed.
-// Code that a file plants in the child can reach nothing but the pipe.
+// If the work crashes, loops endlessly or takes too much memory, this process goes on unharmed. If
+// a file makes the child run foreign code, this code can reach nothing but the pipe.
 #pragma once
 
 #include <atomic>
@@ -15,12 +15,13 @@ namespace resect {
 
 struct ChildLimits {
   double cpuSeconds = 5;    // computing time of the child; > 0
-  double wallSeconds = 20;  // from the start to the last byte of the result; > 0
-  std::size_t memoryBytes = std::size_t(2) << 30;  // most address space beyond this process's;
-                                                   // no limit in sanitized builds
+  double wallSeconds = 20;  // time from the start to the last byte of the result; > 0
+  // Most address space that the child may use in addition to the address space of this process.
+  // Builds with sanitizers do not have this limit.
+  std::size_t memoryBytes = std::size_t(2) << 30;
   std::size_t answerBytes = std::size_t(2) << 30;  // most bytes of the result
-  // What an Error advises the user to do: ifTooLarge if a limit was reached, ifDamaged if the
-  // reader crashed on the file.
+  // The advice in an Error. ifTooLarge: advice for the case that a limit was reached. ifDamaged:
+  // advice for the case that the reader crashed on the file.
   const char* ifTooLarge = "simplify the model";
   const char* ifDamaged = "export it again";
 };
@@ -38,8 +39,8 @@ struct ChildLimits {
 // files of their own at their first use. It must not look at untrusted bytes.
 //
 // `meanwhile` is called in this process about ten times a second until the child is done. It is
-// called once more if the child ended without sending a result or an Error. If it throws, the child
-// is killed and the exception is passed on.
+// called one more time if the child ended without sending a result or an Error. If `meanwhile`
+// throws, the child is killed and the exception is passed on.
 std::string runInChild(const std::string& subject, const ChildLimits& limits,
                        const std::function<std::string()>& work,
                        const std::function<void()>& meanwhile = {},

@@ -18,8 +18,9 @@ class CsvWriter {
  public:
   explicit CsvWriter(std::ostream& out) : out_(out) {}
 
-  // If a spreadsheet would take the text for a formula (it begins with = + - @, tab or carriage
-  // return), an apostrophe is put before it. The text may come from somebody else's recording.
+  // A spreadsheet may take a text for a formula: a text that begins with = + - @, tab or carriage
+  // return. An apostrophe is put before such a text, since it may come from somebody else's
+  // recording.
   CsvWriter& cell(std::string_view text);
   template <typename T>
   requires std::integral<T> || std::floating_point<T> CsvWriter& cell(T number) {
@@ -36,10 +37,11 @@ class CsvWriter {
  private:
   CsvWriter& raw(std::string_view text);
   std::ostream& out_;
-  bool first_ = true;  // the next cell is the first of its row
+  bool first_ = true;  // the next cell is the first cell of its row
 };
 
-// Writes a file with these rows, atomically. Throws Error if it cannot be written.
+// Writes a file, atomically. rows: a function that gives the rows to the CsvWriter. Throws Error if
+// the file cannot be written.
 void writeCsvFile(const std::filesystem::path& path, const std::function<void(CsvWriter&)>& rows);
 
 }  // namespace resect

@@ -1,9 +1,9 @@
 // Writes a binary glTF 2.0 file (.glb) with meshes and animated nodes.
 //
-// Source: Khronos, "glTF 2.0 Specification". Arrays are written to the disk as they are added, into
-// a temporary file beside the target. Only the JSON description stays in memory. So a long
-// animation takes little memory. While finish() runs, the temporary file and the target together
-// take twice the file's size on the disk.
+// Source: Khronos, "glTF 2.0 Specification". Each array is written to the disk immediately, into a
+// temporary file beside the target. Only the JSON description stays in memory. So a long animation
+// takes little memory. While finish() runs, the temporary file and the target together take twice
+// the file's size on the disk.
 #pragma once
 
 #include <array>
@@ -24,11 +24,12 @@ Vec3f linearColour(const Vec3f& screen);
 
 using Rgba8 = std::array<std::uint8_t, 4>;
 
-// In the structs below, meshes, materials and arrays are named by the numbers that the functions of
-// GlbFile returned when they were added; -1: none.
+// In the structs below, a number stands for a mesh, a material or an array. It is the number that a
+// function of GlbFile returned when the mesh, material or array was added; -1: none.
 struct GlbMaterial {
   std::string name;
-  Vec3f colour = Vec3f::Ones();  // linear RGB, 0 to 1; it is multiplied by the colour of each point
+  // Linear RGB, 0 to 1. Viewers multiply it by the colour of each point.
+  Vec3f colour = Vec3f::Ones();
   float metallic = 0, roughness = 1;
 };
 struct GlbMesh {
@@ -40,7 +41,7 @@ struct GlbMesh {
 struct GlbNode {
   std::string name;
   Pose pose;
-  bool shown = true;  // false: its scale is 0, which hides the node
+  bool shown = true;  // false: the node's scale is 0, which hides the node
   int mesh = -1;
   std::vector<int> children = {};
 };
@@ -53,9 +54,10 @@ class GlbFile {
   GlbFile(const GlbFile&) = delete;
   GlbFile& operator=(const GlbFile&) = delete;
 
-  // Each of these functions adds an array, which must not be empty, and returns its number. Throws
-  // Error if the disk is full, or if the file would exceed 4 GB. addTriangles(): `points` is the
-  // number of points of the mesh. addVectors(): translations, m, or scales.
+  // Each of these functions adds an array and returns the array's number. The array must not be
+  // empty. The functions throw Error if the disk is full, or if the file would exceed 4 GB.
+  // addTriangles(): `points` is the number of points of the mesh. addVectors(): the vectors are
+  // translations, m, or scales.
   int addPoints(std::span<const Vec3f> points);    // m
   int addNormals(std::span<const Vec3f> normals);  // unit
   int addColours(std::span<const Rgba8> colours);  // linear RGB, alpha
@@ -66,13 +68,14 @@ class GlbFile {
 
   int addMaterial(const GlbMaterial& material);
   int addMesh(const GlbMesh& mesh);
-  int addNode(const GlbNode& node);  // its children must have been added before
+  int addNode(const GlbNode& node);  // the node's children must have been added before
   void addToScene(int node);
 
-  // Motion::Shown: the node's scale, (1, 1, 1) or (0, 0, 0); each value holds until the next time.
+  // Motion::Shown is a change of the node's scale, which is (1, 1, 1) or (0, 0, 0). Each value
+  // holds until the next time.
   enum class Motion { Translation, Rotation, Shown };
-  // Adds the motion of a node to the file's only animation. times, values: numbers of arrays, as
-  // the functions above return them.
+  // Adds the motion of a node to the file's only animation. times, values: the numbers of two
+  // arrays, as the functions above return them.
   void animate(int node, Motion motion, int times, int values);
 
   // Writes the file, atomically (io/atomic_file.h), and returns its size in bytes. To be called

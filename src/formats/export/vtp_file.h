@@ -17,8 +17,9 @@ namespace resect {
 // All arrays but `triangles` have one element per point.
 struct VtpSurface {
   std::vector<Vec3f> points, normals;  // points in m, unit normals
-  std::vector<float> cutShare;         // 0: capsule, 1: cut surface, -1: capsule at rim of a cut
-  std::vector<std::int32_t> organ;     // number of the organ, from 0
+  // From 0 on the organ's original surface to 1 on a cut surface (isosurface/brick_look.h).
+  std::vector<float> cutShare;
+  std::vector<std::int32_t> organ;  // number of the organ, from 0
   std::vector<Triangle> triangles;
 };
 
@@ -27,7 +28,7 @@ void writeVtp(const std::filesystem::path& path, const VtpSurface& surface, doub
 
 struct PvdEntry {
   double time = 0;   // s
-  std::string file;  // name of a .vtp in the folder of the .pvd
+  std::string file;  // name of a .vtp file in the folder of the .pvd file
 };
 void writePvd(const std::filesystem::path& path, std::span<const PvdEntry> entries);
 

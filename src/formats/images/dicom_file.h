@@ -22,11 +22,11 @@ inline constexpr std::size_t kDicomHead = 512;
 // child process before the process loses the right to open files.
 void prepareDicom();
 
-// Throws Error, which says what to do, if the file is not a segmentation, has compressed frames or
-// has unevenly spaced slices. In a fractional segment, voxels with a fraction of at least a half
-// belong to the segment. Slices are placed by their positions in the file; the slice thickness is
-// used only if all frames have the same position and the file does not give the spacing between
-// slices.
+// Throws Error if the file is not a segmentation, has compressed frames, or has unevenly spaced
+// slices. The Error says what to do. In a fractional segment, a voxel belongs to the segment if its
+// fraction is at least a half. Slices are placed by their positions in the file. The slice
+// thickness is used only if all frames have the same position and the file does not give the
+// spacing between slices.
 LabelImage readDicomFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect

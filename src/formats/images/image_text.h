@@ -20,8 +20,8 @@ Vec3 threeNumbers(const std::string& path, std::string_view text);
 // Converts numbers written as text to binary numbers of the type `type`, little-endian.
 std::string numbersFromText(const std::string& path, std::string_view text, VoxelType type);
 
-// The content of the file of voxels that a header names. Throws Error unless isVoxelFile(name);
-// LacksFile if the file is not in `beside`.
+// The content of the file of voxels that a header names. Throws Error if isVoxelFile(name) is
+// false. Throws LacksFile if `beside` does not contain the file.
 std::string_view besideVoxels(const std::string& path, const std::string& name,
                               const BesideFiles& beside);
 

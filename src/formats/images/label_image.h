@@ -1,7 +1,7 @@
 // Label images: scans of a patient in which each voxel says to which organ it belongs.
 //
-// Coordinates are those of DICOM in metres: x to the patient's left, y to the back, z to the head
-// ("LPS").
+// Coordinates are the same as in DICOM, but in metres: x to the patient's left, y to the back, z to
+// the head ("LPS").
 #pragma once
 
 #include <cmath>
@@ -15,8 +15,9 @@
 
 namespace resect {
 
-inline constexpr std::int64_t kMostVoxels = std::int64_t(1) << 28;    // of an image
-inline constexpr std::size_t kMostImageBytes = std::size_t(1) << 30;  // of its voxels, unpacked
+inline constexpr std::int64_t kMostVoxels = std::int64_t(1) << 28;  // of an image
+// Most bytes of an image's voxels after unpacking.
+inline constexpr std::size_t kMostImageBytes = std::size_t(1) << 30;
 inline constexpr double kImageSeconds = 60;  // of processor time, for one image
 inline constexpr int kMostLabels = 1000;     // of an image
 inline constexpr int kMostLayers = 64;       // of an image
@@ -25,20 +26,21 @@ struct ImageLabel {
   std::int64_t value = 0;   // number in the file, not 0
   std::string name;         // may be empty
   int layer = 0;            // index in LabelImage::layers
-  std::int64_t voxels = 0;  // number of its voxels
+  std::int64_t voxels = 0;  // number of voxels with this label
 };
 
 struct LabelImage {
-  std::string format;            // for example "NIfTI-1"
-  Vec3i dims = Vec3i::Zero();    // voxels along each axis, > 0
-  Vec3 origin = Vec3::Zero();    // centre of the first voxel, m
-  Mat3 step = Mat3::Identity();  // column a: from one voxel to the next along axis a, m
-  // Voxels, the first axis fastest: 0 if the voxel has no label, else 1 + index in `labels`. Labels
-  // that overlap are in different layers.
+  std::string format;          // for example "NIfTI-1"
+  Vec3i dims = Vec3i::Zero();  // voxels along each axis, > 0
+  Vec3 origin = Vec3::Zero();  // centre of the first voxel, m
+  // Column a is the vector from a voxel to the next voxel along axis a, m.
+  Mat3 step = Mat3::Identity();
+  // A layer has one number per voxel, the first axis fastest: 0 if the voxel has no label,
+  // otherwise 1 + the label's index in `labels`. Labels that overlap are in different layers.
   std::vector<RawArray<std::uint16_t>> layers;
-  std::vector<ImageLabel> labels;  // each has at least one voxel
-  // Whether the file may lack slices without labels before its first and after its last slice
-  // (third axis).
+  std::vector<ImageLabel> labels;  // each label has at least one voxel
+  // Whether the program that wrote the file may have left out slices without labels. Such slices
+  // lie before the first or after the last slice of the file, along the third axis.
   bool slicesLeftOut = false;
 
   std::int64_t voxelCount() const { return std::int64_t(dims.x()) * dims.y() * dims.z(); }
@@ -46,19 +48,20 @@ struct LabelImage {
   Vec3 spacing() const { return step.colwise().norm(); }               // m
 };
 
-// Programs that make a label image from a scan, for messages.
+// Names of programs that make a label image from a scan, for messages.
 inline constexpr const char* kLabelMakers = "TotalSegmentator, 3D Slicer or ITK-SNAP";
 
 // Converts coordinates of NIfTI ("RAS": x to the patient's right, y to the front) to LPS, and back.
 inline Vec3 turnedRasLps(const Vec3& p) { return {-p.x(), -p.y(), p.z()}; }
 
-// Throws Error unless dims and step are those of an image: 1 to kMostVoxels voxels, spaced by 1 um
-// to 1 m along each axis, and axes that do not lie in one plane. `path`: for the message.
+// Throws Error unless `dims` and `step` meet these conditions: there are 1 to kMostVoxels voxels;
+// the spacing along each axis is 1 um to 1 m; the axes do not lie in one plane. `path`: for the
+// message.
 void checkGrid(const std::string& path, const LabelImage& image);
 
 // orientation(): for each axis of the image the nearest direction of the body, as one of the
 // letters L, R, P, A, S, I; for example "LPS". obliqueness(): the largest angle between an axis of
-// the image and that direction, degrees.
+// the image and its nearest direction of the body, degrees.
 std::string orientation(const LabelImage& image);
 double obliqueness(const LabelImage& image);
 

@@ -15,8 +15,8 @@ namespace resect {
 // Whether the bytes begin with a line of a MetaImage's header.
 bool startsAsMetaImage(std::string_view bytes);
 
-// Throws Error if the image does not hold labels, or uses a feature that is not supported;
-// LacksFile if its voxels are in a separate file that is not in `beside`.
+// Throws Error if the image does not hold labels, or uses a feature that is not supported. Throws
+// LacksFile if the image's voxels are in a separate file that `beside` does not contain.
 LabelImage readMetaImageFile(const std::string& path, std::string_view bytes,
                              const BesideFiles& beside = {});
 

@@ -18,7 +18,8 @@ bool startsAsNifti(std::string_view bytes);
 
 // The orientation is taken from the sform if it is set, otherwise from the qform. Names of labels
 // are read from an extension with a label table, as TotalSegmentator writes it. Throws Error if the
-// image has several volumes or does not hold labels; LacksFile if a .hdr needs its .img.
+// image has several volumes or does not hold labels. Throws LacksFile if a .hdr file needs its .img
+// file and `beside` does not contain it.
 LabelImage readNiftiFile(const std::string& path, std::string_view bytes,
                          const BesideFiles& beside = {});
 

@@ -17,8 +17,8 @@ namespace resect {
 bool startsAsNrrd(std::string_view bytes);
 
 // If the header has no field `space`, coordinates are taken as left, posterior, superior, in mm.
-// Throws Error if the image does not hold labels, or uses a feature that is not supported;
-// LacksFile if its voxels are in a separate file that is not in `beside`.
+// Throws Error if the image does not hold labels, or uses a feature that is not supported. Throws
+// LacksFile if the image's voxels are in a separate file that `beside` does not contain.
 LabelImage readNrrdFile(const std::string& path, std::string_view bytes,
                         const BesideFiles& beside = {});
 

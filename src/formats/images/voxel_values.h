@@ -20,16 +20,17 @@ struct VoxelNumbers {
   std::string_view bytes;
   VoxelType type = VoxelType::U8;
   bool bigEndian = false;
-  // Voxel i has the number with the index first + stride * i. A stride > 1 is for images whose
+  // Voxel i has the number with the index first + stride * i. The stride is > 1 for images whose
   // first axis is not an axis of space.
   std::int64_t stride = 1, first = 0;
   double slope = 1, intercept = 0;  // value = slope * number + intercept
 };
 
-// Appends a layer, and the labels in it, to the image, whose dims must be set. names: the name of
-// the label with each value. Throws Error if bytes are missing, or if the values cannot be labels:
-// fractions, negative values, more than kMostLabels different values, or more than 20 different
-// values while most labelled voxels differ from the voxel before them.
+// Appends a layer to the image, and appends the labels in this layer. image.dims must be set.
+// names: the names of labels; key: the label's value. Throws Error if bytes are missing, or if the
+// values cannot be labels. Values cannot be labels if there are fractions or negative values, or
+// more than kMostLabels different values. They cannot be labels either if there are more than 20
+// different values and most labelled voxels differ from the voxel before.
 void addLayer(const std::string& path, LabelImage& image, const VoxelNumbers& numbers,
               const std::map<std::int64_t, std::string>& names);
 

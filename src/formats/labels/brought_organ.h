@@ -1,5 +1,5 @@
-// An organ from the labels of a scan: which label is the organ, and which are vessels and tumours
-// in it.
+// Makes the source of an organ from the labels of a scan. Decides which label is the organ, and
+// which labels are vessels and tumours in the organ.
 #pragma once
 
 #include <filesystem>
@@ -12,46 +12,56 @@
 
 namespace resect {
 
-// Whether the path is that of a label image (isImageFile()), or of any folder.
+// Whether the path leads to a label image (isImageFile()) or to any folder.
 bool isLabelled(const std::filesystem::path& path);
 
-// Fills in the fields of the source from the labels. source.file is a label image, or a folder with
-// one image of all structures or one image for each structure. The name of a label tells which kind
-// of structure it is (anatomy/structure_kind.h).
+// Fills in the fields of the source from the labels. source.file is a label image or a folder. A
+// folder contains one image of all structures, or one image for each structure. The name of a label
+// tells the kind of the structure (anatomy/structure_kind.h).
 //
-// source.part, if given, names the labels of the organ; for a folder, the organ's file. (If
-// source.file is an image and source.part or source.structures is given, only the pose is filled
-// in.) Otherwise the organ is the label whose name means parenchyma, or the only label. The
-// tumours, cysts, cavities and vessels become source.structures, unless source.structures has
-// entries already. A tumour, cyst or vessel from the organ's own image also becomes part of the
-// organ's body. Unless source.pose turns it, the organ lies as in a patient on his back
-// (io/scenario/orientation.h) and is not rolled to a resting pose (geometry/resting_pose.h).
-// source.notes says which labels were used and which were left out.
+// If source.part is given, it names the labels of the organ. For a folder, it names the organ's
+// file instead. If source.part is not given, the organ is the label whose name means parenchyma, or
+// the only label. If source.file is an image, and source.part or source.structures is given, only
+// the pose is filled in.
 //
-// Throws Error if no label or more than one could be the organ; the Error lists the labels.
+// The tumours, cysts, cavities and vessels become source.structures, unless source.structures has
+// entries already. A tumour, a cyst or a vessel from the organ's own image also becomes part of the
+// organ's body. source.notes says which labels were used and which were left out.
+//
+// If source.pose has no rotation, the organ is laid as in a patient on his back
+// (io/scenario/orientation.h), and is not rolled to a resting pose (geometry/resting_pose.h).
+//
+// Throws Error if no label could be the organ, or if more than one label could. The Error lists the
+// labels.
 void takeLabels(OrganSource& source);
 
-// A label image of a folder. Its name tells which kind of structure it holds, or nothing.
+// A label image of a folder.
 struct FolderImage {
   std::string file;
-  std::string name;  // of the file, without endings
-  std::optional<StructureKind> kind;
+  std::string name;                   // of the file, without folder and endings
+  std::optional<StructureKind> kind;  // kind that the name means; nothing if it means none
 };
 
-// The label images of a folder, by name; segmentations of DICOM in any folder below. `notes` gets a
-// sentence about slices of scans, which are left out. Throws Error if there is no label image.
+// The label images of a folder, sorted by name. DICOM segmentations are also found in the folders
+// below. If slices of scans are left out, `notes` gets a sentence about them. Throws Error if there
+// is no label image.
 std::vector<FolderImage> imagesOf(const std::string& folder, std::vector<std::string>& notes);
 
-// The same for several files, label images or models, in the same coordinates, each with one
-// structure. They are treated like the files of a folder. A single file becomes source.file.
+// As takeLabels(), for several files. Each file is a label image or a model, and has one structure.
+// All files must have the same coordinates. The files are treated like the files of a folder. If
+// there is only one file, it becomes source.file.
 void takeFiles(OrganSource& source, const std::vector<std::string>& files);
 
 // Adds a structure that lies in the organ. file: the structure's file; if it is empty, `part` is a
-// part of the organ's own file. If that file is an image, the structure's label also becomes part
-// of the organ's body, since no voxel has two labels; so source.part must name the organ's label. A
-// cavity in such an image is not added: its voxels do not belong to the organ anyway. name: the
-// structure's name. Throws a usage Error if source.part must name a label and is empty, or if there
-// are more than 255 structures.
+// part of the organ's own file. name: the structure's name.
+//
+// In an image, the voxels of a structure usually do not have the organ's label. So if a structure
+// is a label of the organ's own image, its label also becomes part of the organ's body. In this
+// case, source.part must name the organ's label. A cavity from this image is not added, because its
+// voxels do not belong to the organ in any case.
+//
+// Throws a usage Error in these cases: source.part must name a label but is empty; the same part of
+// the same file is a structure already; there would be more than 255 structures.
 void addStructure(OrganSource& source, StructureKind kind, const std::string& name,
                   const std::string& file, const std::string& part);
 

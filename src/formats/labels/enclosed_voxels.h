@@ -1,4 +1,5 @@
-// Separates the parts of vessels inside an organ from those that lead to it.
+// Finds the parts of vessels that lie inside an organ, as opposed to the parts that lead to the
+// organ.
 #pragma once
 
 #include <span>
@@ -7,10 +8,10 @@
 
 namespace resect {
 
-// Returns the image in which the vessels' voxels inside the organ have the organ's first label. A
-// voxel is inside if, along at least two of the three axes, voxels of the organ lie within 25 mm in
-// both directions. So a straight vein that runs along an axis is inside too. organ, vessels:
-// indices in image.labels, not empty.
+// Gives the organ's first label to the voxels of vessels that lie inside the organ, and returns the
+// resulting image. A voxel is inside if this holds along at least two of the three axes: in both
+// directions, a voxel of the organ lies within 25 mm. Two axes are enough so that a straight vein
+// along the third axis is inside, too. organ, vessels: indices in image.labels, not empty.
 LabelImage withEnclosed(LabelImage image, std::span<const int> organ, std::span<const int> vessels);
 
 }  // namespace resect

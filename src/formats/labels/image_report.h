@@ -8,8 +8,9 @@
 
 namespace resect {
 
-// A line for the image and one for each label: number, name, volume in ml, the role that the name
-// implies, and whether the label reaches the border of the image.
+// A line for the image, and a line for each label. The line of a label gives its number, its name,
+// its volume in ml, the role that the name implies, and whether the label reaches the border of the
+// image.
 std::string toText(const LabelFacts& facts, const std::string& path);
 
 // The report as JSON with the fields {"file", "format", "labels": [{"value", "name", "voxels",
