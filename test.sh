@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs every test on the build that people use.
-# ./test.sh --all runs the suite again under the sanitizers:
+# ./test.sh --all builds the benchmarks too, and runs the suite again under the sanitizers:
 #   asan      the whole suite under the address and undefined-behaviour sanitizers
 #   tsan      the parallel parts under the thread sanitizer
 # ./test.sh NAME... runs the builds named: release, asan, tsan, dev.
@@ -29,6 +29,7 @@ for build in "${builds[@]}"; do
   started=$SECONDS
   selection=()
   targets=()
+  if [[ $build == release ]] && ((${#builds[@]} > 1)); then tools/build.sh release benchmarks; fi
   if [[ $build == tsan ]]; then
     selection=(-L parallel)
     targets=(parallel_tests)
