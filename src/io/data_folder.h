@@ -7,13 +7,13 @@
 
 namespace resect {
 
-// The data folder, which is the first of these that exists:
-// 1. the folder that the environment variable RESECT_DATA names; if it is set and does not name a
-//    data folder, throws Error;
-// 2. the folder beside the program, where the program is installed or in its build tree;
-// 3. the folder of the sources that the program was built from;
-// 4. the folder of the install location.
-// If none exists, throws an Error that lists the folders that were tried.
+// Returns the data folder: the first of these folders that exists.
+// 1. The folder that the environment variable RESECT_DATA names. If the variable is set but does
+//    not name a data folder, throws Error.
+// 2. The data folder beside the program. An installed program has one, and so has a build tree.
+// 3. The data folder of the sources from which the program was built.
+// 4. The data folder of the install location.
+// If no such folder exists, throws an Error that lists the folders that were tried.
 std::filesystem::path dataFolder();
 
 // Returns `name` itself if there is a file with this name. Otherwise returns the shipped file

@@ -7,18 +7,19 @@
 
 namespace resect {
 
-// Call before long work whose result goes to `path`. Throws a usage Error unless the extension is
-// .obj, .stl, .ply, .vtk or .iv, in upper or lower case. Then calls findTarget()
-// (io/output/output_target.h).
+// Checks that writeMeshFile() can write to `path`. To be called before long work whose result goes
+// there. Throws a usage Error unless the extension is .obj, .stl, .ply, .vtk or .iv, in upper or
+// lower case, or `path` is a device or pipe without an extension. Then calls findTarget()
+// (io/output/output_target.h), which throws further Errors.
 void checkWritableMeshFile(const std::filesystem::path& path);
 
 // Writes the mesh, atomically (io/atomic_file.h) and in metres. The extension decides the format. A
 // device or pipe without an extension, such as /dev/stdout, gets the format .obj.
 //  .obj  text; each coordinate has enough digits to restore the same double
-//  .ply  binary little-endian, doubles: exact
-//  .vtk  legacy PolyData, binary big-endian, doubles: exact
-//  .iv   Inventor V2.1 ascii, an IndexedFaceSet; digits as in .obj, though Inventor reads single
-//        precision
+//  .ply  binary, little-endian; exact, since coordinates are doubles
+//  .vtk  legacy PolyData, binary, big-endian; exact, since coordinates are doubles
+//  .iv   Inventor V2.1 ascii, an IndexedFaceSet; as many digits as in .obj, but Inventor reads them
+//        with single precision
 //  .stl  binary; this format has single precision and no shared points
 // Any other extension is a usage Error.
 void writeMeshFile(const std::filesystem::path& path, const TriangleMesh& mesh);

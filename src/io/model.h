@@ -1,5 +1,5 @@
-// The content of a model file: its named meshes, in metres. Numbers of a file without units are
-// taken as metres.
+// The content of a model file: its named meshes, in metres. If a file names no unit, its numbers
+// are taken as metres.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ struct ModelPart {
   // this point. The list is empty if the file has no normals for the part. Only the reader of
   // Inventor files fills it.
   std::vector<Vec3f> normals{};
-  std::optional<Finish> finish{};  // of the first shape of the part
+  std::optional<Finish> finish{};  // finish of the part's first shape
 };
 
 // Poses of the tools and of the camera in a saved scene (inventor/scene/scene_file.h), in world
@@ -46,47 +46,55 @@ struct Model {
 // All parts as one mesh.
 TriangleMesh merged(const Model& model);
 
-// Appends a mesh to the part with that name. If there is no such part yet, adds it. A mesh without
-// triangles is ignored.
+// Appends a mesh to the part with that name. If there is no part with that name yet, adds the part.
+// A mesh without triangles is ignored.
 void addToPart(Model& model, const std::string& name, TriangleMesh mesh);
-// The same for a mesh with normals and a finish. The part gets the finish of the first mesh that
-// was appended to it.
+// Does the same with a mesh that has normals and a finish. The part gets the finish of the first
+// mesh that was appended to it.
 void addToPart(Model& model, ModelPart piece);
 
-// A list of names of parts is given to the program as one text with one name per line. partNames()
-// gives the names in such a text, partLines() the text for such names.
+// The program takes a list of names of parts as one text, with one name per line. partNames()
+// splits such a text into the names. partLines() joins names to such a text.
 std::vector<std::string> partNames(const std::string& lines);
 std::string partLines(const std::vector<std::string>& names);
-// A line that begins with kWithout names a part that is left out, whatever the other lines name.
+// A line that begins with kWithout names a part that is to be left out. This part is left out even
+// if another line names it.
 inline constexpr std::string_view kWithout = "without ";
-// Adds lines to `lines` that leave out the parts named by `out`, if they are not there yet.
+// For each part that `out` names, adds a line to `lines` that leaves out this part. A line that
+// `lines` already has is not added again.
 void leaveOut(std::string& lines, const std::string& out);
 
-// The model with only the parts that `lines` names (partNames()), in the order of the file. Returns
-// all parts if `lines` is empty, or if the model has only one part and `lines` is its name; if all
-// lines leave parts out, returns the other parts. If there is no part with one of the names, or if
-// no part is left, throws an Error that lists the names of the parts.
+// The model with only the parts that `lines` names (partNames()), in the order of the file.
+// - If `lines` is empty, returns all parts.
+// - If the model has only one part and `lines` is this part's name, returns this part.
+// - If all lines leave parts out (kWithout), returns the other parts.
+// - If the model has no part with one of the names, or if no part is left, throws an Error that
+//   lists the names of the parts.
 Model chosenParts(const Model& model, const std::string& lines);
 
-// The part with that name. If there is none, throws an Error that lists the names of the parts.
+// The part with that name. If there is no such part, throws an Error that lists the names of the
+// parts.
 const ModelPart& partNamed(const Model& model, const std::string& name);
 
 inline constexpr std::size_t kLongestName = 60;  // characters of a part's name in a message
 
-// The names of the first `most` parts, such as "a, b, c and 23 more". Names longer than
-// kLongestName are shortened to their beginning and end.
+// The names of the first `most` parts and the number of the others, such as "a, b, c and 23 more".
+// Names longer than kLongestName are shortened to their beginning and end.
 std::string partList(const Model& model, std::size_t most = 40);
 
-// Throws Error if the model is not valid as the result of a reader: if it has no triangles, if an
-// index is out of range, if a coordinate is not finite or its absolute value is above 1e9 m, if a
-// part has normals but not one per point, if a normal is neither a unit vector nor zero, if a
-// number of a finish or of `places` is out of range, or if `places` has more than kMostSceneTools
-// tools.
+// Checks the result of a reader. Throws Error in these cases:
+// - The model has no triangles.
+// - An index is out of range.
+// - A coordinate is not finite, or its absolute value is above 1e9 m.
+// - A part has normals, but not one per point.
+// - A normal is neither a unit vector nor zero.
+// - A number of a finish or of `places` is out of range.
+// - `places` has more than kMostSceneTools tools.
 void checkModel(const Model& model);
 
-// For sending a model through a pipe: modelToBytes() gives its bytes, bytesToModel() makes the
-// model from them. bytesToModel() throws Error if bytes are missing or left over, or if
-// checkModel() refuses the model.
+// These functions send a model through a pipe. modelToBytes() converts the model to bytes.
+// bytesToModel() makes a model from such bytes. It throws Error if bytes are missing or left over,
+// or if checkModel() refuses the model.
 std::string modelToBytes(const Model& model);
 Model bytesToModel(std::string_view bytes, const std::string& path);
 

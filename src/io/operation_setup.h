@@ -24,26 +24,28 @@ using ModelReader = std::function<Model(const std::filesystem::path&, const std:
 // The organ's closed surface, oriented outwards, in the world. It is placed in four steps:
 // 1. It is rotated by source.pose.rotation.
 // 2. If source.onTable and source.settle, it is rolled to a pose in which it lies still.
-// 3. If source.onTable, its lowest point gets y = 0 and its bounding box is centred over the
-//    origin.
+// 3. If source.onTable, it is moved so that its lowest point has y = 0 and its bounding box is
+//    centred over the origin.
 // 4. It is moved by source.pose.position.
 // `place` may be null. If *place holds a pose, that pose is used instead of the four steps. If
 // *place is empty, it receives the pose that results from the four steps. `notes` gets a sentence
-// for each repair or finding.
+// for each repair or doubt.
 TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readModel,
                            std::vector<std::string>* notes = nullptr,
                            std::optional<Pose>* place = nullptr);
 
-// The organ's cells, with the labels of the source. The cells are sampled from the mesh of
-// loadOrganMesh() unless the source is a file of particles (io/cells/particle_file.h). Such a file
-// contains cells; if source.resample, new cells are sampled from their surface. With such a file
-// the organ is not rotated and `place` is not used: only steps 3 and 4 of loadOrganMesh() are
-// applied, with the box of the file's lattice. If the source has neither spacing nor dims, the
-// spacing is chosen (collision/coarsest_cell.h), and a note gives it. `surface` may be null. It
-// receives the surface from which the cells were sampled, or nothing if they come from a file.
-// Walls that are thinner than two cells get a note (collision/wall_thickness.h). Throws Error if a
-// label marks no particle, if there is no particle, or if the cells are so large that half of the
-// tissue would be lost.
+// The organ's cells, with the labels of the source. There are two kinds of source:
+// - A model file or a built-in organ. The cells are sampled from the mesh of loadOrganMesh().
+// - A file of particles (io/cells/particle_file.h), which contains cells. If source.resample, new
+//   cells are sampled from the surface of these cells and replace them. The organ is not rotated,
+//   and `place` is not used. Only steps 3 and 4 of loadOrganMesh() are applied, with the box of the
+//   file's lattice.
+// If cells are sampled and the source has neither spacing nor dims, a spacing is chosen
+// (collision/coarsest_cell.h), and a note tells this spacing. `surface` may be null. Otherwise
+// *surface receives the surface from which the cells were sampled. It becomes empty if the cells
+// are those of a file. Walls that are thinner than two cells get a note
+// (collision/wall_thickness.h). Throws Error if a label marks no particle, if there is no particle,
+// or if the cells are so large that half of the tissue would be lost.
 Discretization loadCells(const OrganSource& source, const ModelReader& readModel,
                          const Progress& progress = {}, std::vector<std::string>* notes = nullptr,
                          std::optional<Pose>* place = nullptr, TriangleMesh* surface = nullptr);
@@ -57,9 +59,10 @@ std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
                                              const ModelReader& readModel);
 
 // The tissue of one organ, at rest. Throws Error if an attachment of elastic tissue contains no
-// particle, if a material is for a label that no particle has, or if a setting is out of range. An
-// attachment in fractions of the organ's box that contains no particle is left out with a note,
-// since it may have been made for an organ of another shape.
+// particle, if a material is for a label that no particle has, or if a setting is out of range.
+// There is one exception: an attachment whose region is given in fractions of the organ's box may
+// have been made for an organ of another shape. If such an attachment contains no particle, it is
+// left out with a note.
 std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& organ,
                                         std::vector<std::string>* notes = nullptr);
 
@@ -69,13 +72,13 @@ std::vector<OperatedOrgan> loadOrgans(Scenario& scenario, const ModelReader& rea
                                       const Progress& progress = {},
                                       std::vector<std::string>* notes = nullptr);
 // The springs of all joints of the scenario. In thesis mode there are none. Throws Error if a joint
-// names an organ that does not exist, or if no two cells are near enough for it.
+// names an organ that does not exist, or if no two cells are near enough to be joined.
 std::vector<TissueJoint> makeJoints(const Scenario& scenario,
                                     const std::vector<OperatedOrgan>& organs);
 
 // Makes a simulation of organs, joints and tools, with the scenario's table. The walls of the
-// scenario's tool box become an obstacle for moving tissue, unless a particle of some organ lies in
-// the tool box at the start: the walls would push that organ out.
+// scenario's tool box become an obstacle for moving tissue. They are left out if a particle of some
+// organ lies in the tool box at the start, since the walls would push that organ out of the box.
 Simulation assemble(const Scenario& scenario, std::vector<OperatedOrgan> organs,
                     std::vector<TissueJoint> joints, std::vector<std::unique_ptr<Tool>> tools);
 
@@ -83,8 +86,8 @@ Simulation assemble(const Scenario& scenario, std::vector<OperatedOrgan> organs,
 void noteSlowFrames(const Simulation& simulation, const Scenario& scenario,
                     std::vector<std::string>* notes);
 
-// Makes the whole simulation of a scenario by the functions above. The simulation is then ready for
-// its first frame, and the scenario for frameInput().
+// Makes the whole simulation of a scenario by the functions above. Afterwards the simulation is
+// ready for its first frame, and frameInput() may be called with the scenario.
 Simulation makeSimulation(Scenario& scenario, const ModelReader& readModel,
                           const Progress& progress = {}, std::vector<std::string>* notes = nullptr);
 

@@ -15,17 +15,17 @@ struct OrganMeshOptions {
   std::string part;          // names of the parts to join, one per line; empty: all parts
   bool repair = false;       // true: holes are closed; false: an open surface is an error
   double metresPerUnit = 1;  // > 0; metres per unit of the model's coordinates
-  // Names of the parts, one per line, that are known to be structures within the organ's tissue:
-  // there is no doubt about their shells, so no note either.
+  // Names of parts, one per line, that are known to be structures within the organ's tissue. The
+  // shells (geometry/repair/shells.h) of these parts get no note.
   std::string structures = {};
 };
 
 struct OrganMesh {
   TriangleMesh mesh;  // welded, closed, consistently oriented outwards
   MeshHealth health;  // of `mesh`
-  double volume = 0;  // of its tissue, m^3; cavities are left out
-  // Of the surface as it was read, if it has more than one. Those of kind Within bound no
-  // tissue and are left out of `mesh`, unless they reach through other shells.
+  double volume = 0;  // of the tissue, m^3, without cavities
+  // The shells of the surface before any was left out; empty if there is only one shell. Shells of
+  // the kind Within bound no tissue. They are left out of `mesh`, unless they reach through others.
   std::vector<Shell> shells;
   RepairReport repairs;
   std::vector<std::string> notes;  // one sentence for people about each repair or doubt
@@ -42,15 +42,19 @@ struct WeldedSurface {
 // of the original only up to rounding.
 WeldedSurface weldSurface(const TriangleMesh& mesh);
 
-// Joins the chosen parts, or all parts, and scales and welds the surface. In components in
-// which every triangle occurs more than once, drops the copies (dropDoubled()). Then closes the
-// holes if `repair` is on, drops specks (components without volume) and orients the rest outwards.
+// Makes the closed surface of an organ in these steps:
+// 1. Joins the chosen parts, or all parts, and scales and welds the surface.
+// 2. In components in which every triangle occurs more than once, drops the copies (dropDoubled()).
+// 3. Closes the holes, if `repair` is on.
+// 4. Drops specks (components without volume), and orients the other components outwards.
 // Throws Error in these cases:
 // - The surface is open and `repair` is off. The Error gives the number of boundary edges and the
-//   position of the first one. If several parts were joined, it also gives their names. If the size
-//   is not that of an organ, it ends with a sentence about this (sizeDoubt()).
+//   position of the first one. If several parts were joined, it also gives their names. If the
+//   surface does not have the size of an organ, the Error ends with a sentence about the size
+//   (sizeDoubt()).
 // - The surface is open, several parts were joined, and more than two triangles meet at some edge.
-//   Such holes are not closed, even if `repair` is on. The Error is as above.
+//   The holes of such a surface are not closed, even if `repair` is on. The Error says the same as
+//   in the first case.
 // - The triangles cannot be oriented consistently.
 // - The triangles enclose no volume.
 OrganMesh prepareOrganMesh(const Model& model, const OrganMeshOptions& options = {});

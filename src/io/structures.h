@@ -1,5 +1,5 @@
-// Adds structures to an organ: labels of its cells, and vessels, from the regions and files that a
-// scenario gives.
+// Adds structures to an organ, from the regions and files that a scenario gives. A structure is a
+// label of the organ's cells, or a vessel.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@ namespace resect {
 
 // Adds the surfaces of the source's cavities to the organ's surface, with triangles that face into
 // the cavities. So a cavity contains no tissue, also where it extends beyond the organ. All
-// coordinates are those of the files, m. `notes` gets a sentence for each cavity. Throws Error if a
-// cavity and the organ have no volume in common.
+// surfaces have the coordinates of the files, in metres. `notes` gets a sentence for each cavity.
+// Throws Error if a cavity and the organ have no volume in common.
 TriangleMesh hollowed(TriangleMesh organ, const OrganSource& source, const ModelReader& readModel,
                       std::vector<std::string>* notes);
 
@@ -24,28 +24,28 @@ TriangleMesh hollowed(TriangleMesh organ, const OrganSource& source, const Model
 std::string namedStructuresNote(const Model& model, const OrganSource& source);
 
 // Adds the source's landmarks, labels and structures to the cells. place: pose of the organ's file
-// in the world; empty for a file of particles. `notes` gets a sentence for each structure that
-// marks so few particles that they hardly show its shape. Throws Error if a label or structure
-// marks no particle, or if a structure has a file and `place` is empty.
+// in the world; empty if this file is a file of particles. `notes` gets a sentence for each
+// structure that marks so few particles that they hardly show its shape. Throws Error if a label or
+// structure marks no particle, or if a structure has a file and `place` is empty.
 void addLabels(Discretization& cells, const OrganSource& source, const std::optional<Pose>& place,
                const ModelReader& readModel, std::vector<std::string>* notes);
 
-// The organ's vessels, in the world. They come from the source's file of vessels, from its file of
-// cells or from the built-in organ. Vessels that the source gives as model files
-// (OrganSource::structures) replace those of the same kind, by their centre lines. If these files
-// give both portal vein and hepatic veins, and source.smallVessels is set, smaller vessels grow
-// from them into the rest of the organ, and an artery and a bile duct grow beside the portal vein.
-// surface: closed surface of the organ in the world; empty for a file of particles, for which no
-// vessels grow. Null if there are no vessels. `notes` gets sentences for people.
+// The organ's vessels, in the world; null if there are no vessels. They come from the source's file
+// of vessels, from its file of cells or from the built-in organ. The source may also give vessels
+// as model files (OrganSource::structures). The centre lines of such vessels replace the vessels of
+// the same kind. If source.smallVessels is set and the model files give both the portal vein and
+// hepatic veins, vessels grow: smaller vessels from these veins into the rest of the organ, and an
+// artery and a bile duct beside the portal vein. surface: closed surface of the organ in the world.
+// It is empty for a file of particles; no vessels grow then. `notes` gets sentences for people.
 std::shared_ptr<const VesselMap> vesselsOf(const OrganSource& source,
                                            const std::optional<Pose>& place,
                                            const TriangleMesh& surface,
                                            const ModelReader& readModel,
                                            std::vector<std::string>* notes);
 
-// The translation by which a body with this box, m, is placed: if source.onTable, onto the table,
-// with its lowest point on the table's top and centred over the origin; then by
-// source.pose.position.
+// The translation that places a body with this bounding box, m. If source.onTable, it puts the body
+// on the table: the lowest point is on the table's top, and the box is centred over the origin. In
+// any case source.pose.position is added.
 Vec3 placedBy(const OrganSource& source, const Aabb& box);
 
 // A box as text, for messages about regions.

@@ -1,12 +1,12 @@
 // Normals and cut shares of a brick's vertices.
 //
-// They are for pictures only; the simulation uses neither. A normal is the negative gradient of the
-// field, normalised. The gradient is found by a 3D Sobel operator: central differences along one
-// axis, averaged over the other two axes with weights 1 2 1 (Zucker and Hummel 1981 compare it with
-// others). Plain central differences would show the lattice as ribs in the highlights. The mean
-// error of the normals on a ball at two nodes per cell is 2.5 degrees with plain central
-// differences and 1.6 degrees with the Sobel operator. At one node per cell the Sobel operator
-// averages over a wider range, and the error is 1.3 degrees.
+// Only pictures need them. The simulation uses neither normals nor cut shares. A normal is the
+// negative gradient of the field, normalised. The gradient is found by a 3D Sobel operator: central
+// differences along one axis, averaged over the other two axes with weights 1 2 1. (Zucker and
+// Hummel 1981 compare this operator with others.) Plain central differences would show the lattice
+// as ribs in the highlights. The mean error of the normals on a ball at two nodes per cell is 2.5
+// degrees with plain central differences and 1.6 degrees with the Sobel operator. At one node per
+// cell the Sobel operator averages over a wider range, and the error is 1.3 degrees.
 //
 // Cost: 1 500 operations per brick and 60 more per vertex.
 #pragma once
@@ -24,14 +24,14 @@ namespace resect {
 // before: value of the colour field at the point before any edit. iso: the iso level.
 float cutShare(float before, float iso);
 
-// Stands in place of a cut share at a vertex of the organ's outer surface on the rim of a cut. The
-// rim is drawn as a thin line.
+// Replaces the cut share of a vertex that belongs to the organ's outer surface and lies on the rim
+// of a cut. Viewers draw the rim as a thin line.
 constexpr float kRimShare = -1;
 
-// Writes the normal (unit, towards less tissue) and the cut share of each vertex. edges: the number
-// of the grid edge that each vertex lies on, as written by brickVertices(). `normals` and `cut`
-// must have room up to the next multiple of CrossedEdges::kStep; elements beyond the last vertex
-// are overwritten.
+// Writes the normal (unit, towards less tissue) and the cut share of each vertex. edges: for each
+// vertex, the number of the grid edge on which it lies, as written by brickVertices(). `normals`
+// and `cut` must have room up to the next multiple of CrossedEdges::kStep; elements beyond the last
+// vertex are overwritten.
 void brickLook(const ColourField& field, const NodeGrid& grid, std::int64_t brick,
                std::span<const std::uint8_t> edges, Vec3f* normals, float* cut);
 

@@ -12,15 +12,15 @@
 
 namespace resect {
 
-// A vertex keeps at least this fraction of its edge away from both ends of the edge, so that no two
-// vertices coincide.
+// The distance of a vertex from each end of its grid edge is at least this fraction of the edge's
+// length. So no two vertices coincide.
 constexpr float kEndMargin = 1e-3f;
 
-// Distances between neighbouring nodes of a field along each axis, and the iso level.
+// The iso level, and the distance between neighbouring nodes of a field along each axis.
 struct NodeGrid {
   float iso;
   Vec3 step;                  // rest space, m
-  Vec3f spacing, perSpacing;  // step as floats; 1 / step
+  Vec3f spacing, perSpacing;  // `step` as floats, and 1 / `step`
 
   NodeGrid(const ColourField& field, float level)
       : iso(level),
@@ -30,8 +30,8 @@ struct NodeGrid {
 };
 
 // Writes, for each of the signs.vertexCount() vertices, its position (rest space, m) and the number
-// of the edge that it lies on. Both arrays may be overwritten up to the next multiple of
-// CrossedEdges::kStep.
+// of the edge that it lies on. Elements of both arrays beyond the last vertex may be overwritten,
+// up to the next multiple of CrossedEdges::kStep.
 void brickVertices(const ColourField& field, const NodeGrid& grid, std::int64_t brick,
                    const BrickSigns& signs, Vec3f* points, std::uint8_t* edges);
 

@@ -15,9 +15,10 @@
 
 namespace resect {
 
-// Keeps the compiler from loading several words as one vector. If the words were stored one by one
-// a moment before, such a load cannot be forwarded from the stores and waits until they are done.
-// That would take as long as all work on the 64 cells.
+// Keeps the compiler from loading several words as one vector. Suppose that the words were stored
+// one by one just before. Then the processor cannot forward the stored words to such a load, and
+// the load waits until all these stores are done. The wait would take as long as all work on the 64
+// cells.
 [[gnu::always_inline]] inline std::uint64_t keptAlone(std::uint64_t word) {
   asm("" : "+r"(word));
   return word;
@@ -30,10 +31,10 @@ namespace resect {
 }
 
 // Which corners of the 64 cells are inside. `inside`: the inside masks of the brick and of its
-// seven upper neighbours. The index of a neighbour is the sum of 1 if it is the next one along x, 2
-// along y and 4 along z; the brick itself has index 0. Mask c of the result has one bit per cell,
-// for its corner c; corners are numbered as the neighbours are. Mask 0 is the brick's own inside
-// mask.
+// seven upper neighbours. The brick has index 0. The index of a neighbour is a sum: 1 if the
+// neighbour is shifted along x, plus 2 if it is shifted along y, plus 4 if it is shifted along z.
+// Mask c of the result has one bit per cell: whether corner c of the cell is inside. The corners of
+// a cell are numbered in the same way as the neighbours. Mask 0 is the brick's own inside mask.
 [[gnu::always_inline]] inline std::array<std::uint64_t, 8> cornerMasks(
     const std::array<std::uint64_t, 8>& inside) {
   // The mask `own` shifted by one node along an axis; bits of the neighbour's mask fill the gap.
@@ -93,7 +94,7 @@ using CellKinds = std::array<std::uint8_t, kBrickSize>;
 
 // Transposes the eight masks of cornerMasks() to 64 bytes, one per cell. First the bytes of the
 // masks are interleaved, so that a 64-bit word holds all corners of eight cells. Then each word is
-// transposed as a matrix of bits. Some 120 instructions.
+// transposed as a matrix of bits. Cost: some 120 instructions.
 [[gnu::always_inline]] inline CellKinds cellKinds(const std::array<std::uint64_t, 8>& corners) {
   bits::Pairs two[4];  // corners 2 k and 2 k + 1 of cells 0 to 7, 8 to 15, ...
   for (std::size_t k = 0; k < 4; ++k) {
@@ -119,16 +120,20 @@ using CellKinds = std::array<std::uint8_t, kBrickSize>;
   return kinds;
 }
 
-// Per case: its number of triangles minus (its number of crossed edges - 2). A loop of n edges
-// gives n - 2 triangles. So the value is 0 for a case with one loop, and each further loop lowers
-// it by 2. For a case without crossed edges, where the formula would give 2, it is 0.
+// For each case: the number of triangles, minus the number of crossed edges, plus 2. The surface
+// meets the faces of a cell in closed loops of lines (isosurface/marching_cubes_table.h). A loop
+// through n crossed edges gives n - 2 triangles. So the value is 0 for a case with one loop, and
+// each further loop lowers the value by 2. For a case without crossed edges the formula would give
+// 2, but the value is 0.
 const std::array<std::int8_t, 256>& trianglesBeyondOneLoop();
 
-// Number of triangles in the cells of the mask `cells`; the surface must cross all of these. c: as
-// given by cornerMasks(). A cell can have several loops only if, on one of its faces, exactly two
-// diagonally opposite corners are inside, or if two opposite corners of the cell both differ from
-// all three corners to which edges join them. Such cells are few; for them trianglesBeyondOneLoop()
-// is added. Some 110 instructions.
+// Number of triangles in the cells of the mask `cells`; the surface must cross all these cells. c:
+// as given by cornerMasks(). A cell can have several loops only in two cases:
+// - On one of its faces, exactly two corners are inside, and these are diagonally opposite.
+// - Each of two opposite corners of the cell differs from all three corners to which an edge joins
+//   it. (Two corners differ if exactly one of the two is inside.)
+// Such cells are few. For these cells trianglesBeyondOneLoop() is added. Cost: some 110
+// instructions.
 [[gnu::always_inline]] inline int countTriangles(const std::array<std::uint64_t, 8>& c,
                                                  std::uint64_t cells) {
   // Crossed edges along x, y and z, by their lower corners.

@@ -1,9 +1,10 @@
 // Triangles of a brick's cells, from the marching cubes table and the indices of vertices on edges.
 //
 // An EdgeTable holds the index of the vertex on every edge that the brick's cells can use: the
-// brick's own edges, and the edges shared with the bricks above it. In the table the four edges of
-// a cell along one axis are two pairs of neighbouring entries. So six loads fetch the indices for
-// all twelve edges of a cell, and the corners of its triangles are a shuffle of these twelve.
+// brick's own edges, and the edges shared with the bricks above it. The four edges of a cell along
+// one axis occupy two pairs of neighbouring entries of the table. So six loads, each of one pair,
+// fetch the indices for all twelve edges of a cell. A shuffle of these twelve indices gives the
+// corners of the cell's triangles.
 #pragma once
 
 #include <array>
@@ -19,8 +20,9 @@ struct EdgeTable {
   static constexpr int kAxis = kSpan * kSpan * kSpan, kNone = 3 * kAxis;
   std::array<std::int32_t, kNone + 1> vertex;  // by index(); entry kNone belongs to no edge
 
-  // Index of the edge that begins at node (x, y, z), each 0 to 4, and runs along `axis`. Along x
-  // the entries are ordered with y fastest, along y and z with x fastest.
+  // Index of the edge that begins at node (x, y, z), each 0 to 4, and runs along `axis`. Entries of
+  // edges along x are ordered with y fastest; entries of edges along y or z are ordered with x
+  // fastest.
   static constexpr int index(int axis, int x, int y, int z) {
     return axis * kAxis + (z * kSpan + (axis == 0 ? x : y)) * kSpan + (axis == 0 ? y : x);
   }
@@ -28,12 +30,12 @@ struct EdgeTable {
   static int ofCell(int cell, int edge);
 };
 
-// Writes the triangles of `cells` (one bit per cell) from `out` on. Returns where they end; the
-// memory from that end to `limit` may be overwritten.
+// Writes the triangles of `cells` (one bit per cell) from `out` on. Returns the end of the written
+// triangles. The memory from there to `limit` may be overwritten.
 Triangle* drawCells(const EdgeTable& table, const CellKinds& kinds, std::uint64_t cells,
                     Triangle* out, const Triangle* limit);
-// The same, one corner after the other, for machines without AVX2. Overwrites nothing beyond the
-// returned end.
+// Does the same for machines without AVX2, one corner after the other. Overwrites nothing beyond
+// the returned end.
 Triangle* drawCellsPlainly(const EdgeTable& table, const CellKinds& kinds, std::uint64_t cells,
                            Triangle* out);
 

@@ -1,10 +1,11 @@
 // The grid edges of a brick that cross the surface, and the numbering of their vertices.
 //
-// A vertex belongs to the grid edge that it lies on, and the edge to the brick of its lower node.
-// Within a brick an edge has the number 64 * axis + lower node. The crossed edges are stored as one
-// 64-bit mask per axis. Vertices are numbered in the order of their edges. So the number of a
-// vertex is the number of crossed edges before the edge that it lies on. To find it, bits of a mask
-// are counted; no search and no table is needed.
+// A vertex belongs to the grid edge on which it lies. A grid edge belongs to the brick that
+// contains the edge's lower node. Within a brick an edge has the number 64 * axis + n, where n is
+// the number of the edge's lower node. The crossed edges are stored as one 64-bit mask per axis.
+// Vertices are numbered in the order of their edges. So the number of a vertex is found by counting
+// the crossed edges before the vertex's edge. For this, bits of the masks are counted; no search
+// and no table is needed.
 #pragma once
 
 #include <array>
@@ -23,8 +24,9 @@ constexpr std::uint8_t kNoEdge = kBrickEdges;  // in place of an edge number: no
 // Which of the brick's 64 nodes are inside, and which of its 192 edges cross the surface.
 struct BrickSigns {
   std::uint64_t inside = 0;                 // bit n: node n is inside
-  std::array<std::uint64_t, 3> crossing{};  // per axis; bit n: the edge with lower node n crosses
-  // Per axis: the number of its first vertex. The last element is the number of all vertices.
+  std::array<std::uint64_t, 3> crossing{};  // per axis; bit n: edge with lower node n is crossed
+  // For each axis, the number of the first vertex on an edge along this axis. The last element is
+  // the number of all vertices.
   std::array<std::uint8_t, 4> firstVertex{};
 
   // Sets the masks of the crossed edges along x, y and z. Returns whether a mask has changed.
@@ -44,11 +46,11 @@ struct BrickSigns {
   }
 };
 
-// The numbers of the crossed edges, ascending, one per vertex. kStep elements kNoEdge follow them,
-// so that a loop may take kStep elements at a time.
+// The numbers of the crossed edges, ascending, one per vertex. After these come kStep elements with
+// the value kNoEdge, so that a loop may take kStep elements at a time.
 struct CrossedEdges {
   static constexpr int kStep = 8, kMost = kBrickEdges + kStep;
-  std::array<std::uint8_t, kMost> number;  // beyond these elements: uninitialised
+  std::array<std::uint8_t, kMost> number;  // the elements after these are not initialised
 
   explicit CrossedEdges(const BrickSigns& signs) {
     std::uint8_t* end = number.data();

@@ -1,16 +1,16 @@
 // The marching cubes table: the triangles of a cell for each of the 256 cases of its corners.
 //
-// Corner c of a cell stands at (c & 1, c >> 1 & 1, c >> 2 & 1). Edges are numbered by axis. Number
-// 4 * a + i, i from 0 to 3, is the edge along axis a that begins at corner i of the four corners
-// whose coordinate along a is 0.
+// Corner c of a cell stands at (c & 1, c >> 1 & 1, c >> 2 & 1). Edges are numbered axis by axis.
+// The four edges along axis a have the numbers 4 * a to 4 * a + 3. Each of these edges begins at a
+// corner whose coordinate along a is 0; the edges have the same order as these corners.
 //
 // The table is computed. On each face of the cell, inside corners that are neighbours form a run.
 // One line separates each run from the rest of the face, so two inside corners on a diagonal stay
-// apart. The lines of a face depend on that face alone. So the two cells at a face have the same
-// lines there, and the surface is closed. The lines of a cell link up to loops, and each loop is
-// triangulated. Triangulations with a diagonal in a face of the cell are excluded; of the others,
-// the one with the best-shaped triangles is taken. Source: Lorensen and Cline 1987 (the method);
-// Durst 1988 (its ambiguous faces).
+// apart. The lines on a face depend on that face alone. So the two cells that share a face have the
+// same lines on it, and the surface is closed. The lines on all faces of a cell form closed loops,
+// and each loop is triangulated. A triangulation is excluded if it has a diagonal in a face of the
+// cell. From the remaining triangulations, the one with the best-shaped triangles is chosen.
+// Source: Lorensen and Cline 1987 (the method); Durst 1988 (its ambiguous faces).
 #pragma once
 
 #include <array>

@@ -3,10 +3,10 @@
 // The function is sampled at the points of a body-centred cubic lattice. The lattice divides space
 // into tetrahedra that are congruent and nearly regular. Each tetrahedron with corners on both
 // sides of the surface gives one or two triangles. So the mesh is closed, oriented and manifold for
-// any function. The mesh is then smoothed, and edges that cut off a corner or a sharp margin of the
-// body are split (isosurface/relax.h). Cost: at most 2 evaluations of the function per cube of the
-// lattice, and about 30 per point of the mesh. The results have the same bits at any number of
-// threads.
+// any function. The mesh is then smoothed. Edges of the mesh that cut off a corner or a sharp ridge
+// of the body are split (isosurface/relax.h). Cost: at most 2 evaluations of the function per cube
+// of the lattice, and about 30 per point of the mesh. The results have the same bits at any number
+// of threads.
 //
 // Sources: marching tetrahedra, Doi, Koide (1991); the lattice, Labelle, Shewchuk (2007).
 #pragma once
@@ -19,8 +19,8 @@
 namespace resect {
 
 struct PolygoniseSettings {
-  // Few edges of the mesh are longer than this, m, > 0; the mean is about three quarters of it.
-  // Parts of the body that are thinner than `edge` may be lost.
+  // Length, m, > 0. Few edges of the mesh are longer than `edge`; their mean length is about three
+  // quarters of `edge`. Parts of the body that are thinner than `edge` may be lost.
   double edge = 0.0025;
   // Largest slope of the function (Lipschitz constant), > 0. A block of cubes is skipped if the
   // value at its centre shows that the surface cannot reach the block. Infinite: nothing is
@@ -31,10 +31,10 @@ struct PolygoniseSettings {
   int smoothing = 2;
 };
 
-// The surface between value < 0 (inside) and value >= 0 (outside). Seen from outside its triangles
-// are counter-clockwise. `value` is called from several threads at once. A body that reaches the
-// border of the box is closed there. The mesh is empty if the function is nowhere negative in the
-// box, or if the box is empty.
+// The surface between the inside (value < 0) and the outside (value >= 0). Seen from outside, the
+// corners of each triangle are in counter-clockwise order. `value` is called from several threads
+// at once. A body that reaches the border of the box is closed there. The mesh is empty if the
+// function is nowhere negative in the box, or if the box is empty.
 TriangleMesh polygonise(const ScalarFunction& value, const Aabb& box,
                         const PolygoniseSettings& settings = {});
 

@@ -1,8 +1,8 @@
 // Smoothing and refinement of a mesh that approximates the zero surface of a function.
 //
 // A mesh that is closed, oriented and manifold stays so. The results have the same bits at any
-// number of threads. `value` is the function. It is called from several threads at once: at most 6
-// times per point in evenOut(), and at most 18 times per edge in splitCuttingEdges().
+// number of threads. `value` is the function. Several threads call it at once. evenOut() calls it
+// at most 6 times per point, splitCuttingEdges() at most 18 times per edge.
 #pragma once
 
 #include <functional>
@@ -20,10 +20,10 @@ using ScalarFunction = std::function<double(const Vec3&)>;
 // `edge` from the surface.
 void evenOut(const ScalarFunction& value, TriangleMesh& mesh, double edge);
 
-// Splits each edge that cuts off a corner of the body. For this the surface is searched from the
-// midpoint of the edge, along the mean of the normals at the two ends. If the surface is farther
-// from the midpoint than `tolerance` times the length of the edge, the edge is split, and the new
-// point is put on the surface. Returns the number of edges split.
+// Splits each edge that cuts off a corner of the body. To find out whether an edge does so, the
+// surface is searched from the midpoint of the edge, along the mean of the normals at its two ends.
+// If the surface is farther from the midpoint than `tolerance` times the length of the edge, the
+// edge is split, and the new point is put on the surface. Returns the number of edges split.
 int splitCuttingEdges(const ScalarFunction& value, TriangleMesh& mesh, double tolerance = 0.12);
 
 }  // namespace resect

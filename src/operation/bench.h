@@ -1,8 +1,8 @@
 // Measures the speed of an operation on this machine, and searches for the largest organ with which
 // the operation keeps real time.
 //
-// An operation keeps real time if at least 95 % of its frames are each computed within the duration
-// of a frame.
+// An operation keeps real time if the computation of at least 95 % of its frames takes no longer
+// than the duration of a frame.
 #pragma once
 
 #include <functional>
@@ -23,23 +23,24 @@ struct BenchReport {
   };
   // Frames in which edits changed the surface.
   struct Updates {
-    std::int64_t frames = 0, bricks = 0;  // bricks: number evaluated again in them
+    std::int64_t frames = 0, bricks = 0;  // bricks: number of bricks evaluated again
     double seconds = 0;  // time of the stages updateField and updateSurface in these frames
   };
   double spacing = 0;  // cube root of a cell's volume in the first organ, m
-  // Counts before the operation. bytes: memory that the simulation holds then.
+  // Counts before the operation. bytes: memory that the simulation then holds.
   std::int64_t particles = 0, triangles = 0, bytes = 0;
   bool tissueMoves = false;
-  std::int64_t frames = 0, missed = 0;  // missed: frames that took longer to compute
-  double frameDuration = 0;             // s
-  TimeSummary frame;                    // computing time of a frame: sum of all stages
-  std::vector<Stage> stages;            // in the order in which a step runs them
-  std::int64_t inHand = 0;              // frames with an instrument in hand
+  // missed: number of frames whose computation took longer than frameDuration.
+  std::int64_t frames = 0, missed = 0;
+  double frameDuration = 0;   // s
+  TimeSummary frame;          // computing time of a frame: sum of all stages
+  std::vector<Stage> stages;  // in the order in which a step runs them
+  std::int64_t inHand = 0;    // number of frames with an instrument in hand
   Updates updates;
-  std::int64_t substeps = 0;         // of moving tissue, sum over all organs
+  std::int64_t substeps = 0;         // number for moving tissue, sum over all organs
   double perParticleAndSubstep = 0;  // mean time in the stage moveTissue, s; 0 for still tissue
   std::string instructionSet;        // used by the kernels for moving tissue
-  std::uint64_t stateHash = 0;       // at the end; runScenario() gives the same
+  std::uint64_t stateHash = 0;       // at the end; equals RunSummary::stateHash
 
   double bytesPerParticle() const { return double(bytes) / double(particles); }
   bool realTime() const { return frame.p95 <= frameDuration; }
@@ -52,15 +53,15 @@ BenchReport benchScenario(Simulation& simulation, const Scenario& scenario,
 
 // Result of the search for the largest organ. All figures are measured; none is extrapolated.
 struct RealTimeLimit {
-  std::optional<BenchReport> holds;  // the largest organ measured that kept real time
-  std::optional<BenchReport> fails;  // the smallest organ measured that did not keep it
+  std::optional<BenchReport> holds;  // largest measured organ that kept real time
+  std::optional<BenchReport> fails;  // smallest measured organ that did not keep real time
 };
 
 // Searches for the largest organ that keeps real time. `first`: the report of the operation with
 // the present spacing. `measure`: runs the operation with another spacing, m, and reports. Tries at
-// most `trials` more spacings, with at most `mostParticles` particles. Ends earlier if `fails` has
-// at most 15 % more particles than `holds`, or if the next organ would differ by less than 2 % in
-// its number of particles from the previous one.
+// most `trials` other spacings, and only organs with at most `mostParticles` particles. Ends
+// earlier if `fails` has at most 15 % more particles than `holds`. Also ends earlier if the numbers
+// of particles of the next organ and of the previous organ would differ by less than 2 %.
 RealTimeLimit findRealTimeLimit(const BenchReport& first,
                                 const std::function<BenchReport(double spacing)>& measure,
                                 int trials = 4, double mostParticles = 1e6);

@@ -7,7 +7,7 @@
 
 namespace resect {
 
-// Makes these cuts in the organ and in its vessels. The organ must not have moved yet. Throws Error
+// Cuts these wounds into the organ and its vessels. The organ must not have moved yet. Throws Error
 // if a wound meets no tissue.
 void makeWounds(std::span<const OrganWound> wounds, OperatedOrgan& organ);
 

@@ -12,9 +12,9 @@ namespace resect {
 
 struct PromiseKind {
   std::string_view word;      // name of the promise in files
-  std::string_view sentence;  // what happened in a run that did not keep it; for people
+  std::string_view sentence;  // what happened in a run that broke it; for people
 };
-// removal: tissue is removed. cut: tissue is cut, and none is removed. push: the force on an
+// removal: tissue is removed. cut: tissue is cut, but no tissue is removed. push: the force on an
 // instrument exceeds 0.01 N, and tissue is neither cut nor removed. parts: an organ has at least
 // one piece besides its body at the end. blood: blood is lost.
 inline constexpr std::array kPromises{

@@ -37,8 +37,8 @@ inline Pose toolBoxPlace(int i) {
 // surgeon, the edge down and towards the surgeon.
 inline Eigen::Quaterniond workingRotation() {
   const Vec3 handle = Vec3(0, 0.9, 0.45).normalized(), edge = Vec3(0, -0.45, 0.9).normalized();
-  // The columns are the tool's x, y and z axis. In its frame the edge faces -y and the
-  // handle points to +z.
+  // The columns are the axes x, y and z of the tool's frame. In this frame the edge faces -y and
+  // the handle points to +z.
   Mat3 axes;
   axes << -edge.cross(handle), -edge, handle;
   return Eigen::Quaterniond(axes);

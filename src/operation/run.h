@@ -26,7 +26,7 @@ SurfaceSummary summarise(const TriangleMesh& surface);
 struct ToolForces {
   std::string tool;
   double peak = 0;              // the largest of perFrame
-  std::vector<float> perFrame;  // for each frame, the magnitude of the mean force in it
+  std::vector<float> perFrame;  // magnitude of each frame's mean force
 };
 
 struct RunSummary {
@@ -41,14 +41,14 @@ struct RunSummary {
   std::int64_t frames = 0;
   double simulatedSeconds = 0;
   double computedSeconds = 0;  // time spent in the steps, without pictures
-  // The surface of all organs, before the operation and at the end. Its volume differs a little
-  // from that in the ledger, which is the volume of the tissue in cells.
+  // The surface of all organs, before the operation and at the end. The volume inside this surface
+  // differs a little from the volume in the ledger, which is the volume of the tissue in cells.
   SurfaceSummary surfaceBefore, surface;
   std::vector<StageTimes> stages;
   std::vector<std::string> faults;         // each sentence once
   bool tissueMoves = false;                // whether any tissue is elastic
   std::vector<ToolForces> forces;          // one per tool; empty if no tissue moves
-  std::int64_t severed = 0, torn = 0;      // number of bonds: severed by edits; torn by load
+  std::int64_t severed = 0, torn = 0;      // bonds severed by edits; bonds torn by load
   std::int64_t substeps = 0, retries = 0;  // sums over all frames and organs
   std::optional<BloodSummary> blood;       // set if any organ has vessels
   std::vector<SegmentAmount> segments;     // of the first organ that has Couinaud's segments

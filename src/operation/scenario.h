@@ -30,11 +30,12 @@ struct OrganLabel {
   }
 };
 
-// A structure of the organ that is given by a model file in the coordinates of the organ's file. Of
-// vessels the centre lines are used; the particles inside any other structure get a label.
+// A structure that belongs to an organ and is given by a model file, in the coordinates of the
+// organ's file. If it is a vessel, its centre lines are used. If it is a cavity, it is cut out of
+// the organ's tissue. Otherwise the particles inside the structure get a label.
 struct BroughtStructure {
   StructureKind kind = StructureKind::Tumour;
-  int label = 0;     // 1 to 255; 0 for vessels and cavities
+  int label = 0;     // 1 to 255; 0 for vessels and cavities, which have no label
   std::string name;  // of the label
   std::string file;
   std::string part;  // names of parts, one per line; "": all
@@ -59,22 +60,26 @@ struct OrganWound {
 // Where an organ comes from, how it is placed, and the size of its cells.
 struct OrganSource {
   std::string name = "organ";     // its name in the scenario
-  std::string beside;             // name of the organ whose pose it takes over; "": it uses `pose`
+  std::string beside;             // name of an organ whose pose this organ gets; "": `pose`
   std::string file = "liver";     // a built-in organ (isBuiltIn), a model file or particle file
   std::string part;               // name of a part of the model file; "": all parts
   double unit = 1;                // metres per unit of the file
-  bool repair = false;            // the holes of an open mesh are closed; false: it is an error
+  bool repair = false;            // true: holes are closed; false: holes are an error
   std::optional<double> spacing;  // side of a cell, m; give this or dims
   std::optional<Vec3i> dims;      // samples per axis of the thesis's grid over the bounding box
   // A particle file contains cells. If `resample` is true, new cells are made from their surface
   // instead, by spacing or dims.
   bool resample = false;
-  Pose pose;            // the rotation applies before onTable and settle, the position after them
-  bool onTable = true;  // it is put on the table's top, y = 0, its box centred over the origin
-  bool settle = true;   // if onTable: it first rolls to the nearest pose in which it lies still
+  // The organ is placed in this order: pose.rotation, settle, onTable, pose.position. onTable: the
+  // organ is put on the table's top, y = 0, with its box centred over the origin. settle: if
+  // onTable, the organ first rolls to the nearest pose in which it lies still.
+  Pose pose;
+  bool onTable = true;
+  bool settle = true;
   OrganSettings settings;
   // Vessels, with which the organ bleeds: "" for none, kBuiltInVessels, or the name of a file of
-  // vessels (io/vessels_file.h), whose coordinates are those of the organ's file, in mm.
+  // vessels (io/vessels_file.h). The coordinates in such a file are the coordinates of the organ's
+  // file, in mm.
   std::string vessels;
   // `landmarks` and `labels` are added to those of a particle file. Where the regions of labels
   // overlap, the last label counts.
@@ -103,7 +108,7 @@ inline bool isBuiltIn(const OrganSource& source) {
   return std::ranges::find(kBuiltInOrgans, source.file) != std::end(kBuiltInOrgans);
 }
 // isVesselsFile(): whether the source's vessels come from a file. hasVessels(): whether the source
-// is a built-in organ that comes with vessels. organsWithVessels(): the names of these organs, for
+// is a built-in organ that comes with vessels. organsWithVessels(): the names of such organs, for
 // messages.
 inline constexpr std::string_view kBuiltInVessels = "built-in";
 inline bool isVesselsFile(const OrganSource& source) {
@@ -132,7 +137,8 @@ struct ToolKey {
 enum class OperationMode { Thesis, Operation };
 
 struct ScenarioTool {
-  std::string model;  // path of its description file (.toml), or name of one that comes with Resect
+  // Path of a description file (.toml), or name of a tool that comes with Resect.
+  std::string model;
   // If given, replaces the response in the description file (ToolModel::response). "": the tool's
   // working parts act. "remove": the tool removes every particle that it touches.
   std::optional<std::string> response;
@@ -217,19 +223,20 @@ struct Scenario {
   std::vector<std::string> promises = {};
   OperationMode mode = OperationMode::Thesis;
   std::vector<ScenarioOrgan> organs = std::vector<ScenarioOrgan>(1);  // at least one
-  std::vector<OrganJoint> joints;  // they act on moving tissue only
+  std::vector<OrganJoint> joints;  // joints act on moving tissue only
   std::vector<ScenarioTool> tools;
   double frameRate = 60;  // frames per simulated second, 1 to 1000
   double duration = 1;    // simulated time of a run, s
   // s: if given, the run ends this long after the last key of any tool; see endAfterKeys().
   std::optional<double> after = {};   // not kept in recordings
   bool table = true, toolBox = true;  // whether the room has a table, and a tool box
-  // The surroundings of the organs in pictures: "table", or "field", an opened abdomen. They have
-  // no effect on the simulation. A recording keeps this word as text.
+  // The surroundings of the organs in pictures: "table", or "field" for an opened abdomen. The
+  // surroundings have no effect on the simulation. A recording keeps this word as text.
   std::string setting = "table";
   std::string view = "surgeon";  // name of the camera's view (docs/scenarios.md)
   std::optional<Aabb> closeUp;   // box that fills the pictures, world, m; none: organs fill them
-  // The task, if any. A recording keeps it as text (RecordingFile::task()), not among the fields.
+  // The task, if any. A recording keeps the task as text (RecordingFile::task()), so visit() leaves
+  // it out.
   std::optional<Task> task;
 
   template <class Visitor>
@@ -242,8 +249,8 @@ struct Scenario {
 };
 
 // Each of these functions throws Error unless all numbers are in their ranges (setting_ranges.h)
-// and all names of organs are known. They are for scenarios that a program has made. The reader of
-// scenario files (io/scenario/scenario_file.h) makes the same checks.
+// and all names of organs are known. The functions are for scenarios that a program has made. The
+// reader of scenario files (io/scenario/scenario_file.h) makes the same checks.
 void requireSound(const OrganSource& source);
 void requireSound(const TissueSetup& tissue);
 void requireSound(const Scenario& scenario);
@@ -258,13 +265,14 @@ bool isSetting(std::string_view name);
 bool showsField(const Scenario& scenario);
 // Removes all organs but the first, and all joints.
 void keepFirstOrgan(Scenario& scenario);
-// The name of the organ's file without folder and endings: "liver" of "/scans/liver.nii.gz".
+// The name of the organ's file without folder and endings, such as "liver" for
+// "/scans/liver.nii.gz".
 std::string titleOf(const OrganSource& source);
-// Replaces all organs by one. The new organ gets the name and the tissue of the first organ and, if
-// it lies on the table, its position. It does not get the materials of labels, nor attachments
-// unless their regions are given in fractions of the organ's box. If the new organ comes from
-// another file, it lies on the table, the scenario's title becomes titleOf(), and its description
-// and close-up are removed.
+// Replaces all organs by one. The new organ gets the name and the tissue of the first organ. If
+// source.onTable, it also gets the first organ's position. It does not get the materials of labels.
+// It gets only those attachments whose regions are given in fractions of the organ's box. If the
+// new organ comes from another file than the first organ, the scenario changes: its title becomes
+// titleOf(), its setting becomes "table", and its description and close-up are removed.
 void replaceOrgans(Scenario& scenario, const OrganSource& source);
 // Sets the spacing of the first organ, m, and removes its dims. Scales the spacings of the other
 // organs in proportion; an organ with dims keeps its dims. before: the first organ's spacing until
@@ -284,8 +292,8 @@ void makeThesis(Scenario& scenario);
 ToolInput toolInputAt(const ScenarioTool& tool, double time);
 
 // Input of the frame with number `frame`, counted from 0. The frame ends at (frame + 1) /
-// frameRate, s. In thesis mode only one tool is in hand: the first tool that its keys put in hand
-// at the frame's end.
+// frameRate, s. In thesis mode at most one tool is in hand: the first tool whose keys say that it
+// is in hand at the frame's end.
 FrameInput frameInput(const Scenario& scenario, std::int64_t frame);
 // Number of frames, at least 1.
 std::int64_t frameCount(const Scenario& scenario);

@@ -20,14 +20,14 @@ inline constexpr SettingRange kYoung{10, 1e9};               // Pa
 inline constexpr SettingRange kPoisson{0, 0.4999};           // 1
 inline constexpr SettingRange kDensity{100, 5000};           // kg/m^3
 inline constexpr SettingRange kTearEnergy{0.1, 1e6};         // J/m^2; liver 164, rubber 1e4
-inline constexpr SettingRange kTearStretch{1, 100};          // 1; outdated, gives kTearEnergy
+inline constexpr SettingRange kTearStretch{1, 100};          // 1; outdated: tear energy replaces it
 inline constexpr SettingRange kCapsule{0, 1e5};              // N/m
 inline constexpr SettingRange kCapsuleStrength{1, 1e6};      // N/m
 inline constexpr SettingRange kCutEnergy{0, 1e6};            // J/m^2
 inline constexpr SettingRange kCapsuleCutEnergy{0, 1e4};     // J/m
 inline constexpr SettingRange kStiffening{0, 20};            // 1
 inline constexpr SettingRange kRelaxationShare{0, 10};       // 1
-inline constexpr SettingRange kRelaxationTime{0.005, 1000};  // s; substeps cannot resolve less
+inline constexpr SettingRange kRelaxationTime{0.005, 1000};  // s; substeps resolve no shorter time
 inline constexpr double kFastestWave = 5000;        // m/s, of pressure waves; liver 1600, bone 4000
 inline constexpr SettingRange kGravity{-100, 100};  // m/s^2
 inline constexpr SettingRange kDrag{0, 1000};       // 1/s
@@ -44,7 +44,7 @@ inline constexpr SettingRange kJointReach{1e-5, 1};  // m
 inline constexpr SettingRange kFrameRate{1, 1000};    // 1/s
 inline constexpr SettingRange kDuration{1e-3, 3600};  // s
 inline constexpr SettingRange kKeyTime{0, 3600};      // s
-inline constexpr double kFarthestPose = 100;          // m, of organs and instruments, on each axis
+inline constexpr double kFarthestPose = 100;          // m from the origin, along each axis
 inline constexpr double kFarthestToolPoint = 10;      // m, in an instrument's own frame
 inline constexpr SettingRange kFriction{0, 10};       // 1
 inline constexpr SettingRange kBluntness{0, 100};     // 1

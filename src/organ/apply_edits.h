@@ -1,4 +1,4 @@
-// Applies edits to an organ. All edits change tissue by this one function.
+// Applies edits to an organ. Every edit changes tissue through this one function.
 #pragma once
 
 #include <span>
@@ -18,9 +18,9 @@ struct EditSummary {
   std::vector<std::int32_t> vessels;  // vessel segments that were cut, or cut further
 };
 
-// Applies those edits that are for organ `number`, in the order of `edits`. These edits are
-// skipped:
-// - an edit of a particle or bond that no longer exists: two tools may remove the same particle;
+// Applies the edits of organ `number`, in the order of `edits`. Skips these edits:
+// - an edit of a particle or bond that no longer exists, as when two tools remove the same
+//   particle;
 // - an edit of a cell or vessel segment that does not exist;
 // - a Grip or Release without a tool.
 // The field and the surface are updated by the next updateField() and updateSurface(). The cells of

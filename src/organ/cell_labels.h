@@ -20,9 +20,9 @@ void labelSkin(Discretization& cells);
 // Number of particles of each label.
 std::array<std::int64_t, 256> labelledParticles(const Discretization& cells);
 
-// Copies labels, their names and landmarks to another discretisation of the same organ. A particle
-// of `to` gets the label of the cell of `from` in which the particle's centre lies. Then
-// labelSkin() is called for `to`.
+// Copies the labels, the names of the labels, and the landmarks to another discretisation of the
+// same organ. A particle of `to` gets the label of the cell of `from` in which the particle's
+// centre lies. Then labelSkin() is called for `to`.
 void carryLabels(const Discretization& from, Discretization& to);
 
 }  // namespace resect

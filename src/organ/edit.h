@@ -1,9 +1,9 @@
 // Edits: changes to tissue. Each edit is a value with the number of its organ and all data that it
 // needs.
 //
-// Instruments queue edits. A script, a test or an undo may queue edits too: the effect of an edit
-// does not depend on who made it. Edits are applied in the order in which they were queued, by one
-// function (organ/apply_edits.h). A new kind of edit needs a struct here and a function in
+// Instruments queue edits. A script, a test or an undo may queue edits, too. The effect of an edit
+// does not depend on who made the edit. Edits are applied in the order in which they were queued,
+// by one function (organ/apply_edits.h). A new kind of edit needs a struct here and a function in
 // organ/apply_edits.cpp.
 #pragma once
 
@@ -16,12 +16,13 @@
 
 namespace resect {
 
-// A cell is given by its index in the organ's lattice, the direction of a bond by its number in
-// tissue/stencil.h, a vessel segment by its index in the organ's anatomy.
+// How edits name things: a cell is given by its index in the organ's lattice. The direction of a
+// bond is given by its number in tissue/stencil.h. A vessel segment is given by its index in the
+// organ's anatomy.
 
 struct RemoveCell {  // removes the particle of the cell
   std::int64_t cell = -1;
-  double spares = 1;  // m: vessels of at least this radius are not cut but left bare
+  double spares = 1;  // m: vessels with at least this radius are left bare, not cut
 };
 struct SeverBond {  // severs the bond of the cell in this direction
   std::int64_t cell = -1;
@@ -52,10 +53,10 @@ struct Heat {                 // heats tissue for the whole frame (heat/heat_fie
 struct ClampInflow {  // closes or opens portal vein and artery before they enter the organ
   bool closed = true;
 };
-struct Suction {              // takes blood for the whole frame
+struct Suction {              // sucks up blood for the whole frame
   Vec3 place = Vec3::Zero();  // world, m
   double radius = 0;          // m
-  double rate = 0;            // greatest rate at which blood is taken, m^3/s
+  double rate = 0;            // greatest rate at which blood is sucked up, m^3/s
 };
 
 struct Press {                // presses on bleeding vessels for the whole frame, and soaks up blood
@@ -69,7 +70,8 @@ struct DivideVessel {  // cuts through a vessel at a point of a segment
   double share = 0;  // distance from the segment's start as a fraction of its length, 0 to 1
 };
 
-// As SeverBond, but vessels with a radius of `spares` (m) or more are not cut; they are left bare.
+// Severs a bond as SeverBond does, but does not cut vessels with a radius of at least `spares`, m.
+// These vessels are left bare.
 struct TearBond {
   std::int64_t cell = -1;
   std::int32_t direction = -1;

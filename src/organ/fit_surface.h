@@ -18,13 +18,13 @@
 namespace resect {
 
 // Changes only values that are above 0 and below 100, and keeps them in that range. So no cell
-// becomes empty or full, and no empty cell gets tissue. cells.skinScale is set so that the sum of
-// the cells' volumes stays the same. At the end the values are rounded to whole levels
-// (sph/colour_values.h), which moves the surface by about a thousandth of a cell. `mesh`: the mesh
-// that `cells` were made from. The result has the same bits at any number of threads. There are two
-// points (pointsToFit()) per piece of surface that has the area of a cell's face. Cost per point:
-// 13 loops over the 33 cells in its reach, and 12 bytes for each of these 33 cells until the
-// function returns.
+// becomes empty or full, and no empty cell gets tissue. cells.skinScale is set to the value with
+// which the sum of the cells' volumes stays the same. At the end the values are rounded to whole
+// levels (sph/colour_values.h), which moves the surface by about a thousandth of a cell. `mesh`:
+// the mesh that `cells` were made from. The result has the same bits at any number of threads. On
+// average, an area as large as a cell's face has two points (pointsToFit()). Each point has 33
+// cells in its reach. Cost per point: 13 loops over these cells, and 12 bytes of memory per cell
+// until the function returns.
 void fitSurface(const TriangleMesh& mesh, Discretization& cells);
 
 // The points on the mesh at which the field is fitted to 50, in cell space

@@ -16,7 +16,7 @@ namespace resect {
 struct VesselCord {
   TissueCord cord;
   std::int32_t segment = -1;  // index in the organ's anatomy
-  double share = 0;           // where the segment enters cord.b: 0 at its start, 1 at its end
+  double share = 0;           // where the segment enters the cell cord.b: 0 start, 1 end
 };
 
 struct OperatedOrgan {

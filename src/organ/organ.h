@@ -19,11 +19,11 @@ namespace resect {
 
 struct OrganSettings {
   // Nodes of the colour field per cell along each axis, 1 to 4. Memory and time grow with the
-  // square of this number. With 1 the surface is coarse, with 2 accurate to a tenth of a cell; 3
-  // and 4 improve it little.
+  // square of this number. With 1 the surface is coarse. With 2 it is accurate to a tenth of a
+  // cell. With 3 or 4 it is only a little better.
   int refine = 2;
-  // Iso level of the surface, kMinIso to kMaxIso. A lower level enlarges the organ, a higher one
-  // shrinks it; 50 keeps the volume.
+  // Iso level of the surface, kMinIso to kMaxIso. A lower level enlarges the organ, and a higher
+  // level shrinks it. The level 50 keeps the volume.
   float iso = 50;
 
   template <class Visitor>
@@ -35,8 +35,8 @@ struct OrganSettings {
 // A particle is a cell whose centre was inside the mesh. Skin cells, whose centres were outside,
 // hold the rest of the volume. Each skin cell belongs to a neighbouring particle and is removed
 // with it, so the volumes of all particles add up to the organ's volume. Where the organ is thinner
-// than the lattice can show, a skin cell has no neighbouring particle; it is then treated as a
-// particle.
+// than the lattice can show, a skin cell may have no neighbouring particle. Such a skin cell is
+// treated as a particle.
 struct Organ {
   Discretization rest;  // as built; never changes
   ColourField field;    // of the tissue that is left
@@ -75,9 +75,9 @@ struct Organ {
 Organ makeOrgan(Discretization cells, const OrganSettings& settings);
 
 // The particle that a cell with tissue belongs to. A particle belongs to itself. A skin cell
-// belongs to the nearest of its neighbouring particles. If several are equally near, it belongs to
-// the fullest of these, and if several are equally full, to the one of lowest index. A skin cell
-// without a neighbouring particle belongs to itself.
+// belongs to the nearest of its neighbouring particles. If several of these are equally near, it
+// belongs to the fullest of them. If several of them are equally full, it belongs to the particle
+// with the lowest index. A skin cell without a neighbouring particle belongs to itself.
 std::int64_t ownerCell(const Discretization& rest, std::int64_t cell);
 
 // Volume of the tissue in a particle and in its skin cells, m^3.
@@ -85,14 +85,14 @@ double particleVolume(const Discretization& rest, std::int64_t cell);
 
 // Result of removeParticle().
 struct RemovedParticle {
-  std::int64_t particles = 0;  // 1; 0 if a skin cell was removed that had no particle
+  std::int64_t particles = 0;  // 1, or 0 if it was a skin cell without a particle
   double volume = 0;           // of the particle and its skin cells, m^3
 };
 // Removes the particle in `cell`; there must be one. The next updateField() updates the field. The
 // caller must remove the cell from the tissue model.
 RemovedParticle removeParticle(Organ& organ, std::int64_t cell);
-// Sets the colour values of the particle's cell and of its skin cells: if `there` is true, to those
-// before the operation; if not, to 0.
+// Sets the colour values of the particle's cell and of its skin cells. If `there` is true, the
+// cells get the values that they had before the operation. If not, they get the value 0.
 void setParticle(Organ& organ, std::int64_t cell, bool there);
 
 // Severs the grid edges along the blade without removing anything. The surface shows the cut after

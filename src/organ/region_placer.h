@@ -11,15 +11,15 @@
 
 namespace resect {
 
-// The box round the cells of all particles; it is empty if there are no particles. Fractions in
-// regions refer to this box. It agrees with the box of the organ's surface to half a cell. Cost: a
-// pass over the cells.
+// The box round the cells of all particles; empty if there are no particles. Fractions in regions
+// refer to this box. The box of the organ's surface differs from this box by at most half a cell.
+// Cost: a pass over the cells.
 Aabb particleBox(const Discretization& cells);
 
-// Computes the box and the surface for the first region that needs each of them, and keeps them for
-// later regions. The surface is the iso surface of the cells at iso level 50. Depths are accurate
-// to a quarter of a cell (collision/signed_distance.h). Making the surface costs as much as
-// building an organ.
+// Computes the box for the first region that needs the box, and the surface for the first region
+// that needs the surface. Keeps both for later regions. The surface is the iso surface of the cells
+// at iso level 50. Depths are accurate to a quarter of a cell (collision/signed_distance.h). Making
+// the surface costs as much as building an organ.
 class RegionPlacer {
  public:
   // Keeps a reference to `cells`, which must outlive this object.

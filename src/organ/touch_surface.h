@@ -9,10 +9,11 @@
 
 namespace resect {
 
-// Returns one patch for each triangle of the surface at iso level 50, in ascending order of
-// SurfacePatch::cell, the particle nearest to the triangle's centre. Triangles without a particle
-// at most two cells away, along each axis, are left out. `organ` must not have been edited yet. So
-// the patches depend on organ.rest alone, and are the same for every state of the operation.
+// Returns one patch for each triangle of the surface at iso level 50. SurfacePatch::cell is the
+// particle nearest to the triangle's centre; the patches are in ascending order of this index. A
+// triangle is left out if there is no particle at most two cells away from it along each axis.
+// `organ` must not have been edited yet. So the patches depend on organ.rest alone, and are the
+// same for every state of the operation.
 std::vector<SurfacePatch> touchSurface(const Organ& organ);
 
 }  // namespace resect

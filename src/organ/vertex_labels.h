@@ -10,9 +10,10 @@
 
 namespace resect {
 
-// The remaining particle whose cell centre is nearest to a point of rest space; of several equally
-// near ones the first in the lattice. -1 if no particle is left in the cells that are at most two
-// cells away, along each axis, from the cell that contains the point. alive: as in Organ.
+// Of the particles that are left, the one whose cell centre is nearest to a point of rest space. If
+// several are equally near, the first of these in the lattice. Only cells that are at most two
+// cells away, along each axis, from the cell that contains the point are searched. -1 if no
+// particle is left in these cells. alive: as in Organ.
 std::int64_t nearestParticle(const Lattice& lattice, std::span<const std::uint8_t> alive,
                              const Vec3& point);
 

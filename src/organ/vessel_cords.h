@@ -2,7 +2,8 @@
 //
 // The Young's modulus of parenchyma is several kilopascals; the modulus of a vessel's wall is about
 // a hundred times as large. So a wide vessel stiffens the cells through which it runs, along its
-// direction. A vessel that was bared holds the two sides of the wound together until it is divided.
+// direction. A vessel that was bared in a wound holds the two sides of the wound together until the
+// vessel is divided.
 #pragma once
 
 #include <vector>
@@ -15,28 +16,28 @@ namespace resect {
 // Young's modulus of a vessel's wall, Pa: veins of the liver at small strain (Umale et al. 2011,
 // doi:10.1016/j.jbiomech.2011.03.029: 0.62 +- 0.41 MPa).
 inline constexpr double kWallModulus = 0.62e6;
-// m: vessels inside the tissue are cords if their radius is at least this. The effect of thinner
+// m: a vessel inside the tissue is a cord if its radius is at least this. The effect of thinner
 // vessels is already part of the stiffness that was measured on tissue. Bared segments, and the
 // segments next to them along the vessel, are cords at any radius.
 inline constexpr double kWideVessel = 1.5e-3;
 
 // A vessel breaks when it is stretched to this multiple of its length at rest (estimate).
 inline constexpr double kBreakStretch = 1.8;
-// m: tissue that tears leaves vessels of at least this radius whole. Crushing the liver between
+// m: where tissue tears, vessels of at least this radius stay whole. Crushing the liver between
 // fingers or the jaws of a clamp bares vessels with a diameter of about 2 mm or more.
 inline constexpr double kTornVessel = 1e-3;
 
-// The cords of the organ's vessels: one from each cell of tissue that a vessel passes through to
-// the next such cell. Where tissue was removed, a cord leads from one side of the gap to the other.
-// There is no cord across the cut of a severed vessel. Stiffness: cross-sectional area of the wall
-// times kWallModulus, divided by the distance between the cells. Cost: some ns per segment, and 50
-// ns for each half cell of length of the vessels that are cords.
+// The cords of the organ's vessels. A vessel passes through several cells of tissue, and a cord
+// leads from each of these cells to the next. Where tissue was removed, a cord leads from one side
+// of the gap to the other. There is no cord across the cut of a severed vessel. Stiffness:
+// cross-sectional area of the wall times kWallModulus, divided by the distance between the cells.
+// Cost: some ns per segment, and 50 ns for each half cell of length of the vessels that are cords.
 std::vector<VesselCord> vesselCords(const Organ& organ, const TissueModel& tissue);
 
 // Computes the cords again, and gives them to the tissue. Call after edits and after a restore.
 void renewCords(OperatedOrgan& organ);
 
-// Edits that divide the vessels that are stretched beyond kBreakStretch.
+// Edits that divide all vessels that are stretched beyond kBreakStretch.
 std::vector<DivideVessel> brokenVessels(const OperatedOrgan& organ);
 
 }  // namespace resect

@@ -8,7 +8,7 @@
 
 namespace resect {
 
-// The frames first + 1 to last of one branch. They lead from the state after frame `first` to the
+// The frames first + 1 to last of one branch: they lead from the state after frame `first` to the
 // state after frame `last`.
 struct CourseSpan {
   std::int64_t branch = 0, first = 0, last = 0;
@@ -19,14 +19,14 @@ struct CourseSpan {
 // has no such branch, or if no frame leads to the branch's end.
 std::vector<CourseSpan> courseOf(RecordingFile& file, std::int64_t branch);
 
-// The course that leads to a moment. If the moment's frame is 0 or after the end of its branch,
-// returns the course to the end of the branch. For an attempt that was ended in the window, pass
-// RecordingFile::moment().
+// The course that leads to a moment. If the moment's frame is 0, or if it comes after the end of
+// the moment's branch, returns the course to the end of this branch. For an attempt that was ended
+// in the window, pass RecordingFile::moment() as `moment`.
 std::vector<CourseSpan> courseTo(RecordingFile& file, const Moment& moment);
 
-// The part of a course from frame `first` to frame `last`; both are clamped to the course. If the
-// course is not empty, the part is not empty either. If then first equals last, the part is one
-// span with the same first and last frame: a single state.
+// The part of a course from frame `first` to frame `last`. Both numbers are clamped to the course.
+// If the course is not empty, the part is not empty either. If the clamped numbers are equal, the
+// part is one span whose first frame equals its last frame: a single state.
 std::vector<CourseSpan> partOf(std::vector<CourseSpan> course, std::int64_t first,
                                std::int64_t last);
 

@@ -10,18 +10,19 @@ namespace resect {
 
 // Whether a recording keeps the ledger after this frame: true once per simulated second. The result
 // depends on the frame's number alone. A recording also keeps the ledger at the start of each
-// branch and where operating pauses at the end of a branch (Recorder::stood()).
+// branch. It also keeps the ledger when operating pauses at the end of a branch
+// (Recorder::stood()).
 bool ledgerIsDue(std::int64_t frame, double frameRate);
 
 // Number of pieces in a ledger, of all organs together.
 std::int64_t piecesIn(const RecordedLedger& ledger);
-// The event "piece", with the number of new pieces as its amount, if the ledger has more pieces
-// than `before`; otherwise nothing.
+// If the ledger has more pieces than `before`, returns the event "piece", whose amount is the
+// number of new pieces. Otherwise returns nothing.
 std::optional<OperationEvent> pieceEvent(const RecordedLedger& ledger, std::int64_t before);
 
 // The rows of `ledger`, which must describe the simulation's present state. Amounts with the volume
-// 0 are left out. Infinite margins are left out, that is, all margins before anything was cut or
-// bared.
+// 0 are left out. Infinite margins are left out, too: until something is cut or bared, all margins
+// are infinite.
 RecordedLedger rowsOf(const Ledger& ledger, std::int64_t branch, const Simulation& simulation);
 
 }  // namespace resect

@@ -13,9 +13,9 @@ struct RecordedOperation {
   OperationHistory history;
 };
 
-// The operation at the end of `branch`; without `branch`, at RecordingFile::moment(). setup:
-// file.setup(). mostBytes: largest memory for the states that the history keeps. Throws Error if
-// the recording is damaged or has no such branch.
+// The operation at the end of `branch`. If no `branch` is given, the operation at
+// RecordingFile::moment(). setup: file.setup(). mostBytes: largest memory for the states that the
+// history keeps. Throws Error if the recording is damaged or has no such branch.
 RecordedOperation operationOf(RecordingFile& file, RecordedSetup setup,
                               std::optional<std::int64_t> branch = {},
                               const Progress& progress = {},

@@ -10,24 +10,24 @@
 
 namespace resect {
 
-// Greatest allowed deviation of the motion that the keys give from the recorded motion.
+// The keys give a motion that may deviate from the recorded motion by at most these amounts.
 struct MotionTolerance {
   double distance = 3e-4;  // m, of Pose::position
   double angle = 0.01;     // rad
   double share = 0.02;     // of squeeze and pedal, which are 0 to 1
 };
 
-// For each tool of RecordingFile::setup().scenario, its keys along the course that leads to the
-// moment (courseTo()). The keys begin when the tool is in hand for the first time and end when it
-// is in hand for the last time; a tool that is never in hand has no keys. For periods in between in
-// which the tool is not in hand, the keys follow its recorded pose. Throws Error if the recording
-// is damaged.
+// Returns the keys of each tool of RecordingFile::setup().scenario, for the course that leads to
+// the moment (courseTo()). The keys begin when the tool is in hand for the first time. They end
+// when it is in hand for the last time. Between these times the tool may also be out of hand; the
+// keys then follow its recorded pose. A tool that is never in hand has no keys. Throws Error if the
+// recording is damaged.
 std::vector<std::vector<ToolKey>> recordedMotions(RecordingFile& file, const Moment& moment,
                                                   const MotionTolerance& tolerance = {});
 
-// A subset of the keys whose interpolated motion deviates from all keys by at most the tolerance
-// (the algorithm of Douglas and Peucker 1973). It includes the first and the last key. keys: in
-// ascending order of time.
+// Leaves out keys by the algorithm of Douglas and Peucker (1973). The motion interpolated between
+// the remaining keys deviates from each of the given keys by at most the tolerance. The first and
+// the last key remain. keys: in ascending order of time.
 std::vector<ToolKey> thinned(const std::vector<ToolKey>& keys, const MotionTolerance& tolerance);
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// The complete initial data of an operation, without references to files. A recording holds them,
-// so that it can be played on any machine.
+// The complete initial data of an operation, without references to files. A recording holds these
+// data, so that the recording can be played on any machine.
 #pragma once
 
 #include <span>
@@ -25,8 +25,8 @@ inline std::string toolName(const RecordedSetup& setup, std::int64_t tool) {
 }
 
 // The setup of a simulation that was made from `scenario`. The simulation's organs and tools must
-// still be those with which it was made. Throws Error if the number of organs or of tools is not
-// that in the scenario.
+// still be those with which it was made. Throws Error if the simulation does not have as many
+// organs and as many tools as the scenario.
 RecordedSetup setupOf(const Scenario& scenario, const Simulation& simulation);
 
 // Makes the simulation at the start of the operation. With equal inputs it computes the same bits

@@ -3,8 +3,9 @@
 // were made from.
 //
 // docs/cells_file.md describes the format: a text header, then runs (io/cells/byte_runs.h), then a
-// checksum. Lengths are in metres. The same cells give the same bytes on every machine; reading
-// gives back the same bits.
+// checksum. Lengths are in metres. The same cells give the same bytes on every machine. Cells that
+// are read from a file equal the written cells bit for bit. Coordinates of vessels are an
+// exception: the file rounds them.
 #pragma once
 
 #include <filesystem>
@@ -22,15 +23,15 @@ struct CellsInput {
   std::string file;    // name without folder
   std::string role;    // its content: "organ", "tumour", "portal-vein", ...
   std::string format;  // "NIfTI-1 label image, 147 x 120 x 53 voxels of 1.5 x 1.5 x 3 mm, axes RAS"
-  std::string crc32;   // of its bytes, eight hexadecimal digits
+  std::string crc32;   // checksum of the file's bytes: eight hexadecimal digits
 
   bool operator==(const CellsInput&) const = default;
 };
 
-// Where the cells come from, as information for people. There is no date and no folder, so that the
-// same input gives the same bytes.
+// Where the cells come from, as information for people. No date and no folder is stored, so that
+// the same input always gives the same bytes.
 struct CellsOrigin {
-  std::string program;               // program that wrote them, with its version; may be empty
+  std::string program;               // program that wrote the cells, with its version; may be empty
   std::string source;                // name of the model file, or "liver"; may be empty
   double unit = 1;                   // metres per unit of the model file
   std::vector<CellsInput> inputs{};  // may be empty
@@ -47,14 +48,16 @@ inline bool isCellsFile(const std::filesystem::path& path) {
   return path.extension() == ".resect-cells";
 }
 
-// The bytes of a *.resect-cells file. Throws Error if the cells cannot be stored. Limits: 1 to
-// kMaxCells cells, fewer than a million along each axis; origin and spacing below 1000 km; names in
-// UTF-8; header of at most 1 MB.
+// The bytes of a *.resect-cells file. Throws Error if the cells exceed one of these limits:
+// - There are 1 to kMaxCells cells, and fewer than a million along each axis.
+// - The coordinates of the origin and the spacing are below 1000 km.
+// - Names are in UTF-8.
+// - The header has at most 1 MB.
 std::string formatCells(const KeptCells& kept);
 
 // Reads the bytes of a *.resect-cells file. Throws Error if anything in them is wrong. Memory is
-// allocated only after all lengths are checked, and for at most kMaxCells cells. `name`: the file's
-// name, for Errors.
+// allocated only after all lengths have been checked, and never for more than kMaxCells cells.
+// Errors use `name` as the file's name.
 KeptCells parseCells(std::string_view bytes, const std::string& name);
 
 KeptCells readCells(const std::filesystem::path& path);

@@ -10,19 +10,20 @@
 //     0 -264.374 223.281 39.7075 100
 //     ...
 //
-// Along each axis sample i lies at min + i * spacing. Two spacings are tried:
-// - for each axis (max - min) / dims of this axis;
-// - on all three axes the same spacing: the longest side of the box divided by the dims of that
-//   side's axis. The thesis's own files are of this kind.
-// The reader takes the spacing that fits all rows better
+// Along each axis, sample i lies at min + i * spacing. The file does not give the spacing. The
+// reader tries two possibilities:
+// - Each axis has a spacing of its own: (max - min) / dims of this axis.
+// - All three axes have the same spacing: the longest side of the box, divided by the dims of the
+//   axis along which this side lies. The thesis's own files are of this kind.
+// The reader takes the possibility that fits the positions in all rows better
 // (docs/decisions/0002-thesis-grid-is-cubic.md).
-// Positions in rows may be rounded by up to 1/50 of a cell; the exact positions of the lattice are
-// used instead.
+// These positions may have been rounded, by up to 1/50 of a cell. The reader replaces them by the
+// exact positions of the lattice.
 //
-// LevelSet is the colour value, 0 to 100. Line 3 gives the number of particles inside, N. If
-// exactly N rows have LevelSet > 0, these rows are the particles. Otherwise the first N rows are
-// the particles, and the later rows with LevelSet > 0 are skin cells. A row with LevelSet 0 is a
-// cell without tissue.
+// LevelSet is the colour value, 0 to 100. Line 3 gives N, the number of particles inside the
+// object. If exactly N rows have LevelSet > 0, these rows are the particles. Otherwise the first N
+// rows are the particles, and the later rows with LevelSet > 0 are skin cells. A row with LevelSet
+// 0 is a cell without tissue.
 #pragma once
 
 #include <filesystem>
@@ -38,8 +39,8 @@ inline bool isDiscretizationFile(const std::filesystem::path& path) {
   return path.extension() == ".dis";
 }
 
-// unit > 0: metres per unit of the file's coordinates. The file itself does not name its unit.
-// Throws Error with file and line for:
+// unit: metres per unit of the file's coordinates, above 0. The file itself does not name its unit.
+// Throws an Error that names file and line for:
 // - a wrong number of rows or a wrong order;
 // - a row with too few or too many numbers;
 // - a number that is invalid or not finite, or a value outside [0, 100];
@@ -47,14 +48,14 @@ inline bool isDiscretizationFile(const std::filesystem::path& path) {
 // - anything after the last row.
 Discretization readDiscretization(const std::filesystem::path& path, double unit = 1);
 
-// The same from text in memory; `name` stands for the file in Errors.
+// Does the same with text in memory. Errors use `name` as the file's name.
 Discretization parseDiscretization(std::string_view text, const std::string& name, double unit = 1);
 
 // The text of a .dis file, in metres. Each number has the fewest digits that restore it exactly.
 // Particles come first, then skin cells, both in lattice order. A particle with the value 0 holds
-// no tissue and is left out. Reading the text gives the same lattice and values bit for bit if the
-// lattice is settled (sph/lattice_extent.h), as the lattices of organ/discretize.h are. Otherwise
-// the spacing may differ in its last bits.
+// no tissue and is left out. If the lattice is settled (sph/lattice_extent.h), reading the text
+// gives the same lattice and values bit for bit. The lattices made by organ/discretize.h are
+// settled. If a lattice is not settled, the spacing that is read may differ in its last bits.
 std::string formatDiscretization(const Discretization& discretization);
 
 // Writes the file atomically (io/atomic_file.h). Throws Error if writing fails.

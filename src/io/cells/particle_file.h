@@ -11,8 +11,9 @@ inline bool isParticleFile(const std::filesystem::path& path) {
   return isDiscretizationFile(path) || isCellsFile(path);
 }
 
-// unit: metres per unit of a *.dis file. It must be 1 for a *.resect-cells file, which is always in
-// metres; any other unit is an Error. Also throws the Errors of the format's own reader.
+// unit: metres per unit of a *.dis file. A *.resect-cells file is always in metres. So for such a
+// file `unit` must be 1; otherwise throws Error. Also throws the Errors of the reader of the
+// format.
 KeptCells readParticleFile(const std::filesystem::path& path, double unit = 1);
 
 // Writes all data if the path ends in .resect-cells. A file with any other name is written in the

@@ -14,24 +14,26 @@ struct OutputTarget {
     Descriptor  // open descriptor of this process, such as /dev/stdout or /dev/fd/3
   };
   Kind kind = Kind::File;
-  std::filesystem::path path;  // File: the name after following symbolic links; otherwise as given
-  int descriptor = -1;         // of Kind::Descriptor
+  // For Kind::File: the name after symbolic links have been followed. For the other kinds: the name
+  // as it was given.
+  std::filesystem::path path;
+  int descriptor = -1;  // number of the descriptor, for Kind::Descriptor only
 };
 
 // Finds the target of an output's name. To be called before long work: it opens and creates
-// nothing. Throws Error if the name is that of a folder, a disk (block device), a socket, a
-// symbolic link that leads nowhere or a write-protected file, or if the folder is write-protected.
-// Folders that do not exist yet are no error.
+// nothing. Throws Error if `name` leads to a folder, a disk (block device), a socket or a
+// write-protected file, or if `name` is a symbolic link that leads nowhere. Also throws Error if
+// the folder of the output is write-protected. A folder that does not exist yet is no error.
 OutputTarget findTarget(const std::filesystem::path& name);
 
 // A text that identifies the file to which a name leads. Two names get the same text if and only if
 // they lead to the same file, even if they are spelt differently or lead there by symbolic or hard
-// links. "-" stands for standard output. The text is empty if several outputs may be written there:
-// for /dev/null, and for "-" if standard output is closed.
+// links. "-" stands for standard output. Several outputs may go to /dev/null, and also to "-" if
+// standard output is closed. For these names the text is empty.
 std::string identityOf(const std::filesystem::path& name);
 
-// Whether the name leads to standard output, as "-" and "/dev/stdout" do. An output there would be
-// mixed with the text that this program prints.
+// Whether the name leads to standard output, as "-" and "/dev/stdout" do. An output that is written
+// there would be mixed with the text that this program prints.
 bool isStandardOutput(const std::filesystem::path& name);
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// Checks the files of a run before its work begins: no output may be a file that is read, and no
-// two outputs may be the same file.
+// Checks the files of a run before its work begins: no output may be an input, and no two outputs
+// may be the same file.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 namespace resect {
 
 struct OutputFile {
-  std::string option;          // the option that names it, for messages: "--surface"
+  std::string option;          // option that gives the path, for messages: "--surface"
   std::filesystem::path path;  // "" = not wanted; "-" = standard output
 };
 
@@ -18,7 +18,7 @@ struct OutputFile {
 struct NumberedOutputs {
   std::string option;             // "--frames"
   std::filesystem::path folder;   // "" = not wanted
-  std::string before, extension;  // begin and end of their names: "frame_", ".png"
+  std::string before, extension;  // beginning and end of the names: "frame_", ".png"
 };
 
 struct RunOutputs {

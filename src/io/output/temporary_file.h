@@ -7,8 +7,8 @@ namespace resect {
 
 class TemporaryFile {
  public:
-  // Creates an empty file with a random name in the folder of `target`. Never opens a file or
-  // follows a link that already has this name. Throws Error if the folder cannot be written.
+  // Creates an empty file with a random name in the folder of `target`. If a file or link with this
+  // name already exists, tries another name. Throws Error if the folder cannot be written.
   explicit TemporaryFile(const std::filesystem::path& target);
   // Removes the file, unless it was renamed.
   ~TemporaryFile();
@@ -16,14 +16,15 @@ class TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   int descriptor() const { return descriptor_; }               // open for reading and writing
-  const std::filesystem::path& path() const { return path_; }  // valid until it is renamed
+  const std::filesystem::path& path() const { return path_; }  // valid until the file is renamed
 
-  // Renames the file to the target. If the target exists, it is replaced; the file takes over the
-  // target's permissions, and the target's owner if this process may set it. The file is flushed to
-  // the disk (fsync) before the renaming, and the folder afterwards. Throws Error if this fails;
-  // the target is then unchanged.
+  // Gives the file the name of the target. If the target exists, it is replaced. The file then gets
+  // the permissions of the replaced file, and also its owner, if this process may set the owner.
+  // The file is flushed to the disk (fsync) before it is renamed, and the folder is flushed
+  // afterwards. Throws Error if the file cannot be flushed or renamed; the target is then
+  // unchanged.
   void rename();
-  // The same, but throws Error if the target exists, and never replaces it.
+  // Does the same as rename(), but never replaces a target: throws Error if the target exists.
   void publish();
 
  private:
@@ -32,11 +33,11 @@ class TemporaryFile {
 
   std::filesystem::path target_, path_;
   int descriptor_ = -1;
-  int slot_ = -1;  // in the list of removeTemporaryFiles()
+  int slot_ = -1;  // index in the list that removeTemporaryFiles() uses
 };
 
-// Removes the files of all TemporaryFiles of this process. This function is async-signal-safe: it
-// is called by handlers of signals that end the process. Does nothing in a forked child. If more
+// Removes the files of all TemporaryFiles of this process. This function is async-signal-safe,
+// since handlers of signals that end the process call it. Does nothing in a forked child. If more
 // than 16 such files exist at once, only 16 of them are removed.
 void removeTemporaryFiles() noexcept;
 

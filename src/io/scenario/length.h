@@ -12,12 +12,12 @@ namespace resect {
 double parseLength(std::string_view text, std::string_view what);
 
 // Metres per unit. "mm" gives 0.001, "cm" 0.01, "m" 1, "um" 1e-6, "in" or "inch" 0.0254. A plain
-// number in ranges::kUnit gives that number. Throws a usage Error that names `what` for any other
-// text.
+// number that lies in the range ranges::kUnit is returned unchanged. For any other text, throws a
+// usage Error that names `what`.
 double parseUnit(std::string_view text, std::string_view what);
 
-// A length as text for people, such as "5 mm": with three significant digits, in mm below 10 cm,
-// otherwise in m.
+// A length as text for people, such as "5 mm". It has three significant digits. Lengths below 10 cm
+// are given in mm, other lengths in m.
 std::string lengthText(double metres);
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// Converts texts that describe the orientation of a model to rotations from the model's axes to
-// those of the world.
+// Converts a text that describes the orientation of a model to a rotation. The rotation leads from
+// the model's axes to the world's axes.
 //
 // In the world the patient lies on the back, and the surgeon stands at the feet: +X points to the
 // patient's left, +Y up to the front (anterior), +Z to the feet (docs/architecture.md).
@@ -18,7 +18,8 @@ namespace resect {
 // other, or if the axes are left-handed, which no rotation can give.
 Eigen::Quaterniond orientationOf(const std::string& letters);
 
-// text: "30,0,90": rotations about the world's X axis, then Y, then Z, in degrees. Throws a usage
+// text: three angles in degrees, such as "30,0,90". The model is rotated first by the first angle
+// about the world's X axis, then by the second about Y, then by the third about Z. Throws a usage
 // Error if the text is not three numbers.
 Eigen::Quaterniond turnOf(const std::string& text);
 

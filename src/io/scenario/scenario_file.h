@@ -1,5 +1,5 @@
-// Reads scenario files and the description files of tools, both TOML. docs/scenarios.md and
-// docs/how-to/add_a_tool.md list the keys.
+// Reads scenario files and the description files of tools. Both are TOML files. docs/scenarios.md
+// and docs/how-to/add_a_tool.md list the keys.
 #pragma once
 
 #include <filesystem>
@@ -16,18 +16,18 @@ namespace resect {
 // one.
 using MeshReader = std::function<TriangleMesh(const std::filesystem::path&)>;
 
-// Reads and checks a scenario; Errors name file and line. If the scenario names a file that lies
-// in the scenario's folder, the result has the path to that file. Otherwise the result has the name
-// as given. A tool's file that does not lie in that folder may be one that comes with Resect, which
-// loadTools() (io/operation_setup.h) finds.
+// Reads and checks a scenario; Errors name file and line. A scenario names other files. If such a
+// file lies in the scenario's folder, the result has the path to the file. Otherwise the result has
+// the name as given. The name of a tool's file may then be the name of a tool that comes with
+// Resect; loadTools() (io/operation_setup.h) finds its file.
 Scenario readScenario(const std::filesystem::path& path);
-// Does the same with the text of a scenario. `name` stands for the file in Errors. The result has
-// the names of files as given.
+// Does the same with the text of a scenario. Errors use `name` as the file's name. The result has
+// all names of files as given.
 Scenario parseScenario(const std::string& text, const std::string& name);
 
 // Reads a tool's description file, and calls `readMesh` to read the model file that it names.
 ToolModel readTool(const std::filesystem::path& path, const MeshReader& readMesh);
-// The same from text; `name` stands for the file in Errors.
+// Does the same with the text of such a file. Errors use `name` as the file's name.
 ToolModel parseTool(const std::string& text, const std::string& name, const MeshReader& readMesh);
 
 }  // namespace resect

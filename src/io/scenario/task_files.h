@@ -6,9 +6,9 @@
 
 namespace resect {
 
-// Returns `name` itself if there is a file with this name; otherwise the file of the shipped
-// scenario or task with this name. If there is neither, throws an Error that lists the shipped
-// scenarios.
+// If there is a file with the name `name`, returns `name` itself. Otherwise returns the file of the
+// shipped task or scenario with this name. If there is no such task or scenario, throws an Error
+// that lists the shipped scenarios.
 std::filesystem::path findScenario(const std::string& name);
 
 }  // namespace resect

@@ -9,12 +9,13 @@
 namespace resect {
 
 // Throws Error, with file, line and key, if a value is wrong, a key is unknown, or the task names
-// an organ, a structure, a landmark or an instrument that the scenario lacks. Structures and
-// landmarks of a file of particles are not known here. So for organs from a file they are checked
-// after the organ is loaded (skills/attempt/goal_places.h).
+// an organ, a structure, a landmark or an instrument that the scenario lacks. If an organ comes
+// from a file, its structures and landmarks may not be known yet. They are then checked after the
+// organ has been loaded (skills/attempt/goal_places.h).
 Task readTask(const TomlTable& t, const Scenario& scenario);
 
-// The same from the text that a recording keeps (Task::text). `name` stands for the file in Errors.
+// Reads a task from the text that a recording keeps (Task::text). Errors use `name` as the file's
+// name.
 Task parseTask(const std::string& text, const std::string& name, const Scenario& scenario);
 
 }  // namespace resect

@@ -7,7 +7,8 @@
 
 namespace resect {
 
-// The task with another level. Its text has that level, too, so that a recording keeps it.
+// Returns the task with another level. The level is changed in Task::text, too, so that a recording
+// keeps the new level.
 Task atLevel(const Task& task, TaskLevel level);
 
 // The text of a scenario file with the scenario's task. It is the text of the file from which the

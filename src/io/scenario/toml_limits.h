@@ -1,7 +1,7 @@
 // Checks the size of a TOML text before it is parsed: bytes, values, nesting, keys and texts.
 //
 // The parser recurses for each level of nesting and each part of a key, so a file of many brackets
-// or dots would overflow the stack. Cost: one pass over the bytes; allocates nothing.
+// or dots would overflow the stack. Cost: one pass over the bytes. Nothing is allocated.
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@ namespace resect {
 
 inline constexpr std::size_t kMostTomlBytes = 16 << 20, kMostTomlValues = 1'000'000;
 inline constexpr std::size_t kLongestTomlText = 10'000, kLongestTomlWord = 200;  // bytes
-inline constexpr int kDeepestToml = 30;  // levels of brackets; parts of a key such as a.b.c
+// Most levels of brackets, and most parts of a key such as a.b.c.
+inline constexpr int kDeepestToml = 30;
 
 // Throws Error, with `name` and the line, if the text exceeds a limit. Brackets and dots in
 // comments and in quoted texts do not count.

@@ -32,7 +32,7 @@ class TomlTable {
 
   bool has(const std::string& key) const;
   // low, high: the least and the greatest value allowed. If the key is missing, the result is
-  // `missing`; without `missing`, a missing key is an Error.
+  // `missing`. If `missing` is not given either, throws Error.
   double number(const std::string& key, double low, double high,
                 std::optional<double> missing = {}) const;
   double number(const std::string& key, const SettingRange& range,
@@ -42,22 +42,24 @@ class TomlTable {
   int integer(const std::string& key, int low, int high, std::optional<int> missing = {}) const;
   // text(): a name or a title, which must not be empty. freeText(): a text that may be empty.
   std::string text(const std::string& key, std::optional<std::string> missing = {}) const;
-  std::string freeText(const std::string& key) const;  // empty when missing
+  std::string freeText(const std::string& key) const;  // empty if the key is missing
   bool flag(const std::string& key, bool missing) const;
   Vec3 vec3(const std::string& key, std::optional<Vec3> missing = {}) const;
-  // As vec3(), for a position: at most `farthest` m from the origin on each axis.
+  // Does the same as vec3() for a position. Each coordinate must be at most `farthest` m away from
+  // 0.
   Vec3 place(const std::string& key, double farthest, std::optional<Vec3> missing = {}) const;
-  std::vector<double> numbers(const std::string& key, double low,
-                              double high) const;  // [1, 2, ...]; empty when missing
-  // [[x, y, z], ...], each at most `farthest` from the origin on each axis; empty when missing
+  // A list of numbers, [1, 2, ...], each from `low` to `high`. Empty if the key is missing.
+  std::vector<double> numbers(const std::string& key, double low, double high) const;
+  // A list of points, [[x, y, z], ...]. Each coordinate must be at most `farthest` away from 0.
+  // Empty if the key is missing.
   std::vector<Vec3> points(const std::string& key, double farthest = 1e6) const;
-  // ["a", "b", ...], none of them empty; an empty list when missing.
+  // A list of texts, ["a", "b", ...], none of which may be empty. Empty if the key is missing.
   std::vector<std::string> texts(const std::string& key) const;
-  double length(const std::string& key, double low,
-                double high) const;  // "5mm", or a number of metres
-  // { axis = [x, y, z], degrees = 30 }, or { handle = [x, y, z], edge = [x, y, z] }. The second
-  // form gives the directions, in the world, of a tool's handle (+Z of the tool's frame) and edge
-  // (-Y). Identity if the key is missing.
+  // A length, m, given as "5mm" or as a number of metres.
+  double length(const std::string& key, double low, double high) const;
+  // A rotation. It is given as { axis = [x, y, z], degrees = 30 }, or for a tool as
+  // { handle = [x, y, z], edge = [x, y, z] }. The second form gives two directions in the world:
+  // `handle` for +Z of the tool's frame, and `edge` for -Y. Identity if the key is missing.
   Eigen::Quaterniond rotation(const std::string& key) const;
 
   std::optional<TomlTable> table(const std::string& key) const;
@@ -65,7 +67,7 @@ class TomlTable {
   bool isText(const std::string& key) const;
   bool isTable(const std::string& key) const;
   // The tables of [[key]] or of key = [{...}, ...], at most `most`. A single table [key] gives a
-  // list of one. Empty when missing.
+  // list with one element. The list is empty if the key is missing.
   std::vector<TomlTable> tables(const std::string& key, std::size_t most = 1000) const;
 
   std::vector<std::string> keys() const;  // of this table, not of tables in it; sorted
@@ -73,7 +75,7 @@ class TomlTable {
 
   // A copy of this table in which the key at `path`, such as "level" or "organ[0].spacing", has the
   // value `value`, which is TOML text. If `value` is empty, the copy lacks the key. Throws Error if
-  // there is no such path, or if `value` is not a TOML value.
+  // the path does not exist, or if `value` is not a TOML value.
   TomlTable with(const std::string& path, const std::string& value) const;
 
   // Throws Error if this table has a key that was not read. Does not look into tables inside this

@@ -10,7 +10,8 @@
 namespace resect {
 
 inline constexpr std::size_t kMostKeys = 1'000'000;  // most keys of a tool
-inline constexpr std::size_t kMostWayKeys = 10'000;  // most keys of a way; slower to place
+// Most keys of a way. There are fewer, since it takes longer to place the key of a way.
+inline constexpr std::size_t kMostWayKeys = 10'000;
 
 // t: the table of the tool. Throws Error if the table has no keys, or if it names an organ that is
 // not in `organs`.

@@ -11,8 +11,8 @@
 namespace resect {
 
 struct BareVessels {
-  // tubes: the bare vessels, one mesh per VesselKind. sealed: the places that heat has sealed. All
-  // coordinates are in the world, m.
+  // tubes: the bare vessels, one mesh per VesselKind. sealed: the parts of vessels that heat has
+  // sealed. All coordinates are in the world, m.
   std::array<TriangleMesh, kVesselKinds> tubes;
   TriangleMesh sealed, clips;
   Aabb box;  // round all these meshes

@@ -12,13 +12,15 @@ namespace resect {
 // A vessel that was cut.
 struct CutVesselSummary {
   VesselKind kind = VesselKind::PortalVein;
-  std::string name;           // for people, such as "right portal vein"
-  double diameter = 0;        // of the lumen, m
-  bool severed = false;       // false: a hole in its wall
-  bool closed = false;        // clipped or sealed: if severed, both ends; if not, towards the root
+  std::string name;      // for people, such as "right portal vein"
+  double diameter = 0;   // of the lumen, m
+  bool severed = false;  // false: a hole in its wall
+  // Whether clips or heat close the vessel. A severed vessel is closed at both ends; any other
+  // vessel is closed between the hole and the root.
+  bool closed = false;
   double bled = 0;            // blood lost so far, m^3
-  double flow = 0;            // of its blood in the last frame, m^3/s
-  Vec3 place = Vec3::Zero();  // present place of the injury's end towards the root, world, m
+  double flow = 0;            // flow of blood out of the vessel in the last frame, m^3/s
+  Vec3 place = Vec3::Zero();  // present position of the injury's end nearer to the root, world, m
 };
 
 // A bare vessel: one without tissue round it.
@@ -26,16 +28,16 @@ struct BareVesselSummary {
   VesselKind kind = VesselKind::PortalVein;
   std::string name;           // for people
   double diameter = 0;        // of the lumen, m
-  Vec3 place = Vec3::Zero();  // middle of its bare part, world, m
+  Vec3 place = Vec3::Zero();  // middle of the vessel's bare part, world, m
   Vec3 along = Vec3::Zero();  // direction away from the root, unit
   double length = 0;          // of its bare part, m
   bool divided = false;
-  int closures = 0;  // number of clips on it and of places that heat has sealed
+  int closures = 0;  // number of clips and of heat seals on the vessel
 };
 
 struct BloodSummary {
   BloodLedger ledger;
-  double rate = 0;                        // loss, mean over about the last second, m^3/s
+  double rate = 0;                        // blood loss per time, mean over about 1 s, m^3/s
   double highest = 0;                     // highest value of that mean, m^3/s
   double air = 0;                         // air drawn into hepatic veins, m^3
   std::vector<CutVesselSummary> vessels;  // the widest first
@@ -48,7 +50,7 @@ class BloodBooks {
  public:
   // To be called after each step. duration: of the frame, s.
   void add(const StepReport& report, double duration);
-  // The summary up to now. Nothing if no organ has vessels.
+  // The summary up to now; nothing if no organ has vessels.
   std::optional<BloodSummary> summaryOf(const Simulation& simulation) const;
 
  private:

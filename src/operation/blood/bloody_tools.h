@@ -1,4 +1,4 @@
-// How far up from its tip each instrument has become bloody, for viewers.
+// For viewers: how far each instrument is bloody, measured from its tip.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,11 @@
 
 namespace resect {
 
-// reach: for each tool, how far it is bloody from its tip along its axis, m. Each entry is raised
-// to the farthest place, up to 8 cm, at which blood on an organ is within 5 mm of the axis in the
-// present state. No entry becomes smaller, since tools are not wiped. Cost: proportional to the
-// number of wet cells times the number of tools in hand.
+// reach: for each tool, the length, m, over which it is bloody, measured along its axis from the
+// tip. For this, blood on an organ counts if in the present state it lies within 5 mm of the axis,
+// and at most 8 cm up from the tip. If such blood lies farther up than the entry says, the entry is
+// raised to this distance. No entry becomes smaller, since tools are not wiped. Cost: proportional
+// to the number of cells with blood on them times the number of tools in hand.
 void followBlood(const Simulation& simulation, std::vector<double>& reach);
 
 }  // namespace resect

@@ -21,19 +21,21 @@ namespace resect {
 struct HandStyle {
   // The direction to the handle is `upright` times the normal plus `forward` times the heading.
   double upright = 1, forward = 0;
-  double hover = 0.005;       // m: height of the tip over the surface while hovering
-  double depth = 0.01;        // m: depth of the tip below the surface when pressing begins
-  double mostDepth = 0.06;    // m: greatest depth; a blade that is deeper would cut a tunnel
-  double turnHovering = 0;    // m of motion in which the heading turns by 63 %; 0: it never turns
-  double turnPressing = 0;    // the same while pressing
+  double hover = 0.005;     // m: height of the tip over the surface while hovering
+  double depth = 0.01;      // m: depth of the tip below the surface when pressing begins
+  double mostDepth = 0.06;  // m: greatest depth; a blade that is deeper would cut a tunnel
+  // m: length of motion in which 63 % of the angle between heading and motion disappears; 0: the
+  // heading never turns. turnHovering: while hovering; turnPressing: while pressing.
+  double turnHovering = 0;
+  double turnPressing = 0;
   bool entersSlowly = false;  // depth grows only in proportion to the motion along the surface
   bool headsForWay = false;   // the first 6 mm of a stroke set the heading
   bool closesJaws = false;    // pressing closes the jaws
-  double seeks = 0;           // m: how far beside a target the hand may point (seek())
-  bool staysOutside = false;  // the tip stays at the surface and does not go to a target below it
+  double seeks = 0;           // m: a target must be nearer to the point than this (seek())
+  bool staysOutside = false;  // the tip works at the surface even if there is a target
 };
-// The style for an instrument. It follows from the model's kind, or, for kinds without a style of
-// their own, from the geometry: a blade has an edge, scissors have jaws, a hook has a bend.
+// The style for an instrument. Some kinds of instrument have a style of their own. For the other
+// kinds, the geometry decides: a blade has an edge, scissors have jaws, a hook has a bend.
 HandStyle handStyleOf(const ToolModel& tool);
 
 struct SurfaceHand {
@@ -58,20 +60,23 @@ void goDeeper(SurfaceHand& hand, double more);
 // Turns the heading about the normal by `angle`, rad, anticlockwise as seen from outside.
 void turnHeading(SurfaceHand& hand, double angle);
 
-// Chooses a target: the one that appears nearest to the point at which the hand points, as seen by
-// the eye. The apparent distance, at right angles to the line of sight, must be less than
-// style.seeks, and the distance along the line of sight less than style.mostDepth. A hand that
-// presses keeps its target while the target meets these conditions, and takes no other. targets:
-// world, m. towardsEye: direction from the hand's point to the eye, unit.
+// Chooses the target that, as the eye sees it, is nearest to the point at which the hand points.
+// Two conditions must be met. At right angles to the line of sight, the distance between target and
+// point must be less than style.seeks. Along the line of sight, this distance must be less than
+// style.mostDepth. While the hand presses, it takes no new target. It keeps its old target as long
+// as this target meets the conditions. targets: world, m. towardsEye: direction from the hand's
+// point to the eye, unit.
 void seek(SurfaceHand& hand, std::span<const Vec3> targets, const Vec3& towardsEye);
-// The point at which the instrument works, world, m: the target, if there is one and the style does
-// not stay outside; otherwise the point on the surface.
+// The point at which the instrument works, world, m. This is the target, if there is one and
+// style.staysOutside is false. Otherwise it is the point on the surface.
 Vec3 workPoint(const SurfaceHand& hand);
 
-// The pose of the tool's frame, whose origin is the tip; world. The hand must be pointing.
+// The pose of the tool's frame in the world. The origin of this frame is the tool's tip. The hand
+// must be pointing.
 Pose poseOf(const SurfaceHand& hand);
-// The same pose, but drawn back in the direction from which the instrument enters until none of
-// `points`, in the tool's frame, m, lies below y = 0, the top of the table.
+// The pose of poseOf(), but with the instrument drawn back far enough that none of its `points`
+// lies below the top of the table (y = 0). It is drawn back in the direction from which it enters.
+// points: in the tool's frame, m.
 Pose poseAboveTable(const SurfaceHand& hand, std::span<const Vec3> points);
 
 }  // namespace resect

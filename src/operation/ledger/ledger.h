@@ -1,10 +1,10 @@
-// The ledger of an operation: where all tissue is, in particles, in volume and in mass.
+// The ledger of an operation: where all tissue is. It counts particles, volume and mass.
 //
 // In a ledger, volume is always the volume of the tissue in cells, skin cells included
-// (Discretization::cellVolume()). The volume inside the surface differs from it a little and is no
-// part of the ledger. The ledger counts each cell under the label, and with the density, that it
-// had before the operation. Volumes are added as whole multiples of 2^-24 of a cell's volume, so
-// their sums do not depend on the order of addition. For each label and for each organ the equation
+// (Discretization::cellVolume()). The volume inside the surface is a little different and is no
+// part of the ledger. Each cell counts with the label and the density that it had before the
+// operation. Volumes are added as whole multiples of 2^-24 of a cell's volume, so their sums do not
+// depend on the order of addition. For each label and for each organ the equation
 //
 //   before = body + pieces + debris + removed
 //
@@ -54,9 +54,9 @@ struct LabelLedger {
   int label = 0;
   std::string name;
   TissueSplit tissue;
-  // Set only for labels from 1 on that have a name: least distance of the structure from any cut or
-  // bared face, m, in the tissue at rest. It is 0 if the structure itself was cut or some of it was
-  // removed. It is infinite if nothing was cut or bared. Accurate to half a cell.
+  // Least distance of the structure from any cut or bared face, m, in the tissue at rest; accurate
+  // to half a cell. Set only for labels that have a name and are not 0. The distance is 0 if the
+  // structure itself was cut or some of it was removed. It is infinite if nothing was cut or bared.
   std::optional<double> margin;
 
   bool operator==(const LabelLedger&) const = default;
@@ -70,7 +70,7 @@ struct PartLedger {
     bool operator==(const Share&) const = default;
   };
   TissueAmount tissue;
-  std::vector<Share> labels;    // the tissue by label, ascending
+  std::vector<Share> labels;    // the part's tissue, label by label, ascending
   std::int64_t firstCell = -1;  // lowest index of its cells
 
   bool operator==(const PartLedger&) const = default;
@@ -103,21 +103,22 @@ struct Ledger {
 // The constant data from which the ledgers of an operation are computed.
 class LedgerBooks {
  public:
-  // simulation: in any state of the operation. scenario: the one that the simulation was made from.
+  // simulation: in any state of the operation. scenario: the scenario from which the simulation was
+  // made.
   LedgerBooks(const Scenario& scenario, const Simulation& simulation);
   // One setup per organ.
   LedgerBooks(const std::vector<TissueSetup>& setups, const Simulation& simulation);
 
-  // The ledger of the present state. Cost: 2 ms for a million particles of still tissue without
-  // cuts, or for 13 000 of moving tissue; plus the cost of woundFaces()
-  // (operation/ledger/wound_faces.h).
+  // The ledger of the present state. Cost: the cost of woundFaces()
+  // (operation/ledger/wound_faces.h), plus 2 ms for a million particles of still tissue without
+  // cuts or for 13 000 particles of moving tissue.
   Ledger ledgerOf(const Simulation& simulation) const;
 
  private:
   struct Odd {  // a particle that does not have exactly one full cell of tissue
     std::int64_t cell = 0;
-    std::int64_t units = 0;  // its volume minus that of a full cell, in 2^-24 of a full cell
-    // -1: a skin cell that Organ treats as a particle; it is not counted as one.
+    std::int64_t units = 0;  // its volume minus a full cell's, in 2^-24 of a full cell
+    // 0 or -1. -1 stands for a skin cell that Organ treats as a particle: no particle is counted.
     std::int32_t particles = 0;
   };
   struct OrganBooks {
@@ -136,8 +137,8 @@ class LedgerBooks {
 };
 
 // Checks the sums in a ledger. Returns a sentence about the first sum that is wrong; empty if all
-// are right. simulation, if given: the simulation that the ledger describes. Its own counts are
-// then compared with the ledger, too.
+// are right. simulation, if given: the simulation that the ledger describes. Then the simulation's
+// own counts are compared with the ledger, too.
 std::string discrepancy(const Ledger& ledger, const Simulation* simulation = nullptr);
 
 }  // namespace resect

@@ -1,5 +1,6 @@
-// Decides when an operation's ledger is computed again: after tissue was removed, cut or torn, or
-// the iso level was changed, but at most once per kPeriod of simulated time.
+// Decides when an operation's ledger is computed again. A new ledger is due when tissue was
+// removed, cut or torn, or when the iso level was changed. But there is at most one ledger per
+// kPeriod of simulated time.
 //
 // The same steps from the same state give the same ledgers at the same frames.
 #pragma once
@@ -20,8 +21,8 @@ class LedgerWatch {
   const Ledger& anew(const Simulation& simulation);
   // To be called after each step. Returns the new ledger if one was due, otherwise null.
   const Ledger* after(const StepReport& report, const Simulation& simulation);
-  // For the end of the operation: returns a new ledger if something has changed since the last one
-  // was computed, otherwise null.
+  // For the end of the operation: returns a new ledger if anything has changed since the last
+  // ledger was computed, otherwise null.
   const Ledger* last(const Simulation& simulation) {
     return changed_ ? &anew(simulation) : nullptr;
   }
@@ -33,7 +34,7 @@ class LedgerWatch {
   Ledger ledger_;
   std::vector<float> iso_;  // iso level of each organ in ledger_; areas of wounds depend on it
   double time_ = 0;         // simulated time of ledger_, s
-  bool changed_ = true;     // tissue or iso level has changed since then
+  bool changed_ = true;     // tissue or iso level has changed since ledger_ was computed
 };
 
 }  // namespace resect

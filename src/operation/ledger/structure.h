@@ -1,12 +1,12 @@
-// The shape of a labelled structure, such as a tumour, and its distance from points, which gives
-// the margin.
+// The shape of a labelled structure, such as a tumour, and its distance from points. Margins are
+// computed from these distances.
 //
 // The shape is a smooth surface through the lattice. Each cell has a flag: 1 if it has the label,
 // otherwise 0. The flags are averaged over each cell and its neighbours (weights 1, 2, 1 along each
-// axis), and the surface lies where the average is one half. The centres of labelled cells always
-// lie inside it, those of other cells outside. Distances are accurate to a quarter of a cell. Along
-// an axis of the lattice they are accurate only to half a cell, since the flags do not tell how far
-// a structure extends beyond its last cells.
+// axis), and the surface lies where the average is one half. The centre of a cell with the label
+// always lies inside the surface. The centre of any other cell lies outside. Distances along an
+// axis of the lattice are accurate to half a cell, since the flags do not tell how far a structure
+// extends beyond its last cells. Distances in other directions are accurate to a quarter of a cell.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,9 @@ class Structure {
   Structure(const Discretization& rest, int label);
 
   int label() const { return label_; }
-  // The distance of a point from the structure, m, in rest space, or `best` if that is smaller. The
-  // distance is 0 inside the structure. The cost is small if the distance is larger than `best`.
+  // The distance of a point from the structure, m, in rest space; or `best`, if `best` is smaller.
+  // The distance is 0 inside the structure. The cost is small if the distance is larger than
+  // `best`.
   double distance(const Vec3& point, double best) const;
   // Distance of a point from the box round the structure, m: a lower bound of the distance from the
   // structure. Cheap.
@@ -41,11 +42,13 @@ class Structure {
 
   int label_ = 0;
   Vec3 origin_, spacing_;
-  IndexBox box_;                     // all cells whose share can be above 0, and a halo of one cell
-  std::vector<std::uint8_t> share_;  // per cell of the box: averaged flag in 64ths; inside from 33
-  std::vector<Vec3f> points_;        // points of its surface, m, sorted as a k-d tree (sortInto())
-  std::vector<std::uint8_t> axis_;   // per point: axis along which it divides its range
-  Vec3f low_, high_;                 // box round the points
+  IndexBox box_;  // all cells whose share can be above 0, and a halo of one cell
+  // Per cell of the box: averaged flag, in 64ths. The cell's centre is inside if this is at
+  // least 33.
+  std::vector<std::uint8_t> share_;
+  std::vector<Vec3f> points_;       // points of its surface, m, sorted as a k-d tree (sortInto())
+  std::vector<std::uint8_t> axis_;  // per point: axis along which it divides its range
+  Vec3f low_, high_;                // box round the points
 };
 
 }  // namespace resect

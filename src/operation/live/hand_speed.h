@@ -12,16 +12,17 @@ namespace resect {
 
 constexpr double kSqueezeTime = 0.25;  // s: shortest time from wide open to closed, or back
 
-// The squeeze that jaws reach after `duration`, s, if they have the squeeze `now` and are to reach
-// `wanted`. A squeeze is 0 (wide open) to 1 (closed).
+// Jaws have the squeeze `now` and are to reach the squeeze `wanted`. Returns the squeeze that they
+// have after `duration`, s. A squeeze is 0 (wide open) to 1 (closed).
 inline double squeezeTowards(double wanted, double now, double duration) {
   const double most = duration / kSqueezeTime;
   return std::clamp(wanted, now - most, now + most);
 }
 
-// Jaws that are to close at a place stay at most this far closed until the tip has arrived there.
+// Jaws may have to close at the place to which their tool moves. Until the tip has arrived there,
+// the jaws close at most to this squeeze.
 constexpr double kOpenOnTheWay = 0.5;  // squeeze
-constexpr double kArrived = 0.004;     // m: a tip this near to the place has arrived
+constexpr double kArrived = 0.004;     // m: a tip has arrived if it is this near to the place
 
 constexpr double kHandTime = 0.04;    // s: time in which a hand covers 63 % of the remaining way
 constexpr double kHandTurning = 12;   // rad/s: largest angular speed of a hand
@@ -29,12 +30,12 @@ constexpr double kTurnsFirst = 0.35;  // rad: while a larger turn is left, the h
 
 // How a hand moves a tool to its pose.
 struct HandMotion {
-  Pose from;             // where the tool is when it is taken in hand; world
+  Pose from;             // pose of the tool when it is taken in hand; world
   double fastest = 0.3;  // largest speed, m/s, above 0
 };
 
-// The pose that a tool reaches after `duration`, s, if it has the pose `now`, is to reach `wanted`
-// and moves at most `fastest`, m/s.
+// A tool has the pose `now` and is to reach the pose `wanted`. Returns the pose that it has after
+// `duration`, s. The tool's speed is at most `fastest`, m/s.
 inline Pose poseTowards(const Pose& wanted, const Pose& now, double duration, double fastest) {
   constexpr double kNear = 1e-5, kAligned = 1e-3;  // m, rad: the pose counts as reached
   const double length = (wanted.position - now.position).norm();

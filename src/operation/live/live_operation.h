@@ -1,9 +1,9 @@
 // An operation that runs in a thread of its own while a window shows it.
 //
 // The thread steps the simulation at `frameRate` frames per second of real time. The caller never
-// waits for a frame, except in surface() and look(). Inputs can be set at any moment and apply from
-// the next frame on. take() gives the changes of the surfaces since its last call. Time lost by
-// slow frames is not made up: the operation then runs slower than the clock, and
+// waits for a frame, except in surface() and look(). Inputs can be set at any moment. They take
+// effect from the next frame on. take() gives the changes of the surfaces since its last call. Time
+// lost by slow frames is not made up: the operation then runs slower than the clock, and
 // StepTimes::realTimeFactor is below 1.
 #pragma once
 
@@ -30,15 +30,15 @@
 
 namespace resect {
 
-// Functions that the operation's thread calls when something new happens. They are not called for
-// frames of the history that are played again.
+// Functions that the operation's thread calls when something new happens. When frames of the
+// history are played again, the functions are not called.
 struct OperationWatch {
   std::function<void(const Branch&, const Simulation&)> began;
   std::function<void(const Branch&)> renamed;
-  // Operating pauses at this moment, the end of a branch, because another moment will be shown or
-  // the operation ends.
+  // Operating pauses, because another moment will be shown or the operation ends. The given moment
+  // is the end of a branch.
   std::function<void(Moment, const Simulation&)> stood;
-  // events: of this frame; moment: its end.
+  // moment: the end of the frame. events: the events of the frame.
   std::function<void(Moment moment, const FrameInput&, const StepReport&,
                      std::span<const OperationEvent> events, const Simulation&)>
       stepped;
@@ -50,10 +50,10 @@ class LiveOperation {
   using Motion = std::function<std::optional<FrameInput>()>;
 
   // Starts at once, with all tools out of hand at their rest poses (`rests`, one per tool).
-  // frameRate: simulated frames per second, 1 to 1000. history: that of an operation which is to go
-  // on; `simulation` must be at history.now(). That moment is then shown until goOn() is called.
-  // ledger: computes LiveState::ledger; without it there is none. paused: whether the operation is
-  // paused (setPaused()) before its first frame.
+  // frameRate: simulated frames per second, 1 to 1000. history: the history of an operation that is
+  // to be continued; `simulation` must be at history.now(). The operation then shows this moment
+  // until goOn() is called. ledger: computes LiveState::ledger. Without `ledger`, LiveState::ledger
+  // stays null. paused: whether the operation is paused (setPaused()) before its first frame.
   LiveOperation(std::unique_ptr<Simulation> simulation, const std::vector<Pose>& rests,
                 double frameRate = 60, OperationWatch watch = {},
                 std::optional<OperationHistory> history = {},
@@ -63,22 +63,22 @@ class LiveOperation {
   LiveOperation& operator=(const LiveOperation&) = delete;
 
   // setTool() and setIso() take effect from the next frame on and may be called from any thread.
-  // The jaws of a tool that is set here move no faster than a hand moves them (hand_speed.h).
-  // motion: if given, the tool moves to its pose as a hand would move it, over several frames.
-  // Otherwise the tool is at its pose at the end of the next frame. LiveState::poses has the
-  // present poses of the tools.
+  // The jaws of the tool move no faster than a hand moves them (hand_speed.h). motion: if given,
+  // the tool moves to the pose of `input` over several frames, as a hand would move it. Otherwise
+  // the tool has this pose at the end of the next frame. LiveState::poses has the present poses of
+  // the tools.
   void setTool(int tool, const ToolInput& input, std::optional<HandMotion> motion = {});
   void setIso(float iso);
-  // Sets which tips are seen, one entry per tool, from the next frame on. Recordings keep this
-  // (sight.h).
+  // Sets whether the user sees the tips of the tools, one entry per tool. Takes effect from the
+  // next frame on. Recordings keep these entries (sight.h).
   void setSight(std::vector<Sight> sight);
-  // From the next frame on `motion` moves the tools. It is called once per frame, in the
+  // From the next frame on, `motion` moves the tools. `motion` is called once per frame, in the
   // operation's thread, until it returns nothing. play({}) ends the motion earlier. Of the
   // FrameInput that `motion` returns, only `tools` is used. If a step refuses these tools, the
   // motion ends too, and LiveState::faults says why.
   void play(Motion motion);
-  // Goes back to the start of the operation, then does what play() does. This is a request, as
-  // explained below.
+  // Goes back to the start of the operation, then does the same as play(). This is a request;
+  // requests are explained below.
   std::int64_t playFromStart(Motion motion);
   bool playing() const;
 
@@ -90,17 +90,18 @@ class LiveOperation {
   // A request brings the operation to a moment of its history, which is then shown: all tools are
   // where they were at that moment, motions have ended, and no new frame begins until goOn() is
   // called. Only playFromStart() goes on by itself: it plays its motion from that moment on. undo()
-  // goes to the moment before the last stroke, redo() to the moment at which the last undo() was
-  // called. If there is no such moment, nothing changes. show() goes to any moment of
+  // goes to the moment before the last stroke. redo() goes to the moment at which the last undo()
+  // was called. If there is no such moment, nothing changes. show() goes to any moment of
   // LiveState::timeline.
   std::int64_t undo();
   std::int64_t redo();
   std::int64_t show(Moment moment);
-  // While a moment is shown: plays the frames after it that lead to the end of `branch`. speed:
-  // seconds of the operation per second of real time, 0 to 100; 0 stops the playback.
+  // While a moment is shown: plays the frames that lead from this moment to the end of `branch`.
+  // speed: seconds of the operation per second of real time, 0 to 100; 0 stops the playback.
   void setPlayback(double speed, std::int64_t branch);
   // Operating goes on from the moment that is shown. If the moment is the end of its branch, this
-  // branch goes on; otherwise a new branch begins. Has no effect while a request is not done.
+  // branch goes on; otherwise a new branch begins. Has no effect while any request has not been
+  // done yet.
   void goOn();
   // Ends the present stroke before the next frame.
   void endStroke();
@@ -111,12 +112,12 @@ class LiveOperation {
   void setPaused(bool paused);
 
   // Gives the changes since the last call of take(): writes one surface update per organ to
-  // `updates`, and copies the state to `state`. If no frame has ended since that call, returns
-  // false and changes neither.
+  // `updates`, and copies the state to `state`. If no frame has ended since the last call, returns
+  // false and changes neither `updates` nor `state`.
   bool take(std::vector<SurfaceUpdate>& updates, LiveState& state);
 
-  // The present surface of all organs, for saving. If a frame is being computed, or a request is
-  // being answered, waits until that ends.
+  // The present surface of all organs, for saving. If a frame is being computed or a request is
+  // being answered, waits for its end.
   SurfaceTracker::Compact surface();
   // Calls `read` with the simulation between two frames. Waits as surface() does. The next frame
   // begins only after `read` has returned.
@@ -141,7 +142,7 @@ class LiveOperation {
     std::vector<std::pair<std::int64_t, std::string>> names;  // new names for branches
     double playback = 0;       // > 0: plays the next frame of the history, at this speed
     std::int64_t towards = 0;  // number of the branch to whose end the playback leads
-    bool operated = false;     // before this task no moment of the history was shown
+    bool operated = false;     // no moment of the history was shown before this task
     FrameInput input;
     std::vector<std::optional<HandMotion>> motions;  // as setTool() got them
     std::vector<Sight> sight;
@@ -161,9 +162,10 @@ class LiveOperation {
   std::vector<ToolInput> presentTools() const;
 
   std::unique_ptr<Simulation> simulation_;
-  OperationHistory history_;           // used by the thread alone
-  std::optional<LedgerWatch> ledger_;  // from here to timelineFrame_: also used by the thread alone
-  std::vector<Sight> sightSaid_;       // memory for sightEvents()
+  // Only the operation's thread uses the members from here to timelineFrame_.
+  OperationHistory history_;
+  std::optional<LedgerWatch> ledger_;
+  std::vector<Sight> sightSaid_;  // memory for sightEvents()
   const std::vector<Pose> rests_;
   LastSecond lastSecond_;
   StepReport report_;
@@ -189,10 +191,11 @@ class LiveOperation {
   // A show() is being answered and has shown a state, so that a newer show() may stop it.
   bool replaceable_ = false;
   bool motionComes_ = false;  // the request that is being answered has a motion
-  bool stepping_ = false;     // a frame is being computed: only the thread may use the simulation
-  int readers_ = 0;  // callers waiting for the end of the frame; the next frame waits for them
-  // Set in order to stop the computation of the present frame, or of the frames that lead to a
-  // moment.
+  bool stepping_ = false;     // a frame is being computed: only the thread may use simulation_
+  // Number of callers that wait for the end of the frame. The next frame waits for these callers.
+  int readers_ = 0;
+  // Set to true in order to stop a computation: of the present frame, or of the frames that lead to
+  // a moment.
   std::atomic<bool> stop_ = false;
   std::vector<SurfacePublisher> publishers_;  // one per organ
   LiveState state_;

@@ -1,5 +1,5 @@
-// The data of an operation that the window shows in its panels: counts, volumes, forces, times. The
-// surface is not part of them.
+// The data of an operation that the window shows in its panels: counts, volumes, forces, times.
+// They do not include the surface.
 #pragma once
 
 #include <cstdint>
@@ -26,23 +26,24 @@ struct LiveState {
   // Numbers of particles left, of particles removed so far, and of triangles of the surfaces.
   std::int64_t particles = 0, removed = 0, triangles = 0;
   std::shared_ptr<const Ledger> ledger;  // at most about a second old; null without LedgerWatch
-  double removedVolume = 0, volume = 0;  // volume of removed tissue; volume of the tissue left; m^3
+  double removedVolume = 0, volume = 0;  // m^3, of the removed tissue and of the tissue left
   float iso = 50;                        // iso level of the first organ
   bool moves = false;                    // whether any tissue is elastic
-  std::vector<std::string> faults;       // new since the last LiveOperation::take(), each once
-  // The tools' inputs while a motion plays or a moment of the history is shown. Empty: the hand
-  // moves the tools (setTool()).
+  std::vector<std::string> faults;       // those since the last LiveOperation::take(), each once
+  // The tools' inputs while a motion plays or a moment of the history is shown. Otherwise empty:
+  // the hand moves the tools (LiveOperation::setTool()).
   std::vector<ToolInput> played;
   Moment moment;         // the place of this state in the history
   bool showing = false;  // a moment of the history is shown: no new frame begins until goOn()
   double playback = 0;   // while showing: seconds of the operation per second; 0: no playback
-  int undoable = 0, redoable = 0;  // number of strokes: that can be undone; that can be redone
+  int undoable = 0, redoable = 0;  // numbers of strokes that can be undone and redone
   std::int64_t answered = 0;     // number of the last request that was done (LiveOperation::undo())
   std::size_t historyBytes = 0;  // memory for the states of the history
   std::shared_ptr<const Timeline> timeline;  // at most 15 frames old
   StepTimes times;
-  bool bleeds = false;                      // whether any organ has vessels
-  double bled = 0, bleedingRate = 0;        // blood lost, m^3; loss per time, mean of 1 s, m^3/s
+  bool bleeds = false;  // whether any organ has vessels
+  // bled: blood lost so far, m^3. bleedingRate: blood lost per time, mean over 1 s, m^3/s.
+  double bled = 0, bleedingRate = 0;
   double bloodTime = 0;                     // simulated time of bled and bleedingRate, s
   std::vector<BleedingEnd> bleedingEnds;    // vessels' ends that bleed
   int clips = 0;                            // number of clips on vessels
@@ -66,7 +67,7 @@ struct LiveState {
 // volume of the tissue before the operation, m^3. peaks: OperationHistory::peaks().
 void noteStep(LiveState& state, const Simulation& simulation, const StepReport& report,
               double before, const std::vector<double>& peaks);
-// Does the same after the simulation was brought to another moment, for which there is no report.
+// Does the same after the simulation was brought to another moment. There is no report then.
 void noteMoment(LiveState& state, const Simulation& simulation, double before,
                 const std::vector<double>& peaks);
 

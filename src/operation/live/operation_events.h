@@ -16,16 +16,16 @@ struct OperationEvent {
   std::int64_t tool = -1, organ = -1;  // -1: none
   std::string kind;   // touch, release, take, put_back, remove, cut, tear, piece, fault,
                       // smoke, smoke_clears; in_view, out_of_view (sight.h)
-  double amount = 0;  // number of: particles (remove), bonds (cut, tear), new pieces (piece)
+  double amount = 0;  // number of particles (remove), bonds (cut, tear), pieces (piece)
   std::string text;   // fault: the sentence
 };
 
-// Whether a tool worked on an organ in the step that `report` describes: it touched or pushed
-// tissue, cut it, or changed tissue or vessels by another edit. The edits Release, Suction and
-// Press do not count.
+// Whether a tool worked on an organ in the step that `report` describes: it touched, pushed or cut
+// tissue, or it changed tissue or vessels by another edit. The edits Release, Suction and Press do
+// not count.
 bool worksOnOrgan(const StepReport& report, const Simulation& simulation, std::size_t tool);
 
-// What eventsOf() must know about the previous step: two flags per tool, and whether there was
+// The data about the previous step that eventsOf() needs: two flags per tool, and whether there was
 // smoke. Empty lists mean that no tool was in hand and no tool touched an organ.
 struct EventMemory {
   std::vector<char> touching, inHand;
@@ -37,8 +37,8 @@ struct EventMemory {
 std::vector<OperationEvent> eventsOf(const StepReport& report, const Simulation& simulation,
                                      EventMemory& memory);
 
-// Updates the memory by a recorded event, as eventsOf() did when the event happened. tools: number
-// of tools.
+// Updates the memory by a recorded event, in the way in which eventsOf() did it when the event
+// happened. tools: number of tools.
 void remember(EventMemory& memory, const OperationEvent& event, std::size_t tools);
 
 }  // namespace resect

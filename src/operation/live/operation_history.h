@@ -2,14 +2,15 @@
 // again, bit for bit.
 //
 // The history keeps the inputs of every frame of every branch, and some states. To reach a moment,
-// the last state before it is restored, and the inputs from there on are played. One state is kept
-// per second, one at the start of each branch, and one at most kFramesBetween frames before each
-// stroke. If the states need more memory than allowed, some are dropped. The first to be dropped is
-// the state whose removal leaves the shortest gap. States of the present branch's last minute are
-// dropped last.
+// the last state before this moment is restored, and the inputs after this state are played. One
+// state is kept per second, one at the start of each branch, and one at most kFramesBetween frames
+// before each stroke. If the states need more memory than allowed, some are dropped. The first to
+// be dropped is the state whose removal leaves the shortest gap. States of the present branch's
+// last minute are dropped last.
 //
-// If the user operates on from an earlier moment, a new branch begins. If this moment is the end of
-// its branch, that branch goes on instead. Undo and redo are two ways to choose the moment.
+// If the user goes back to an earlier moment and operates from there, a new branch begins. If the
+// moment is the end of its branch, no new branch begins: the old branch goes on. Undo and redo are
+// two ways to choose the moment.
 #pragma once
 
 #include <functional>
@@ -38,16 +39,17 @@ class OperationHistory {
     EventMemory events;
     std::vector<std::int64_t> faults;  // frames in which faults occurred
     // At the end of the branch: volume of removed tissue and of the pieces, m^3; areas of cuts and
-    // of bared faces, m^2; number of pieces. removedVolume is updated in each frame, the others
-    // when a ledger is computed.
+    // of bared faces, m^2; number of pieces. removedVolume is updated in each frame, the other
+    // values when a ledger is computed.
     double removedVolume = 0, piecesVolume = 0, cut = 0, bared = 0;
     std::int64_t pieces = 0;
     // Largest force on each tool so far, N. There is a row for each frame in which one of these
-    // forces grew: the frame's number, and one force per tool.
+    // forces grew. A row has the frame's number and one force per tool.
     std::vector<std::pair<std::int64_t, std::vector<double>>> peaks;
 
     std::int64_t end() const { return branch.from + std::int64_t(inputs.size()); }
-    // The forces in the last row of `peaks` up to that frame; empty if there is none.
+    // The forces in the last row of `peaks` whose frame is not after `frame`; empty if there is no
+    // such row.
     std::vector<double> peaksAt(std::int64_t frame) const;
     // Adds the next frame: its input, its events, and the force on each tool, N.
     void add(const FrameInput& input, std::span<const OperationEvent> frameEvents,
@@ -58,12 +60,13 @@ class OperationHistory {
   // memory for the states.
   OperationHistory(const Simulation& simulation, double frameRate,
                    std::size_t mostBytes = std::size_t(512) << 20);
-  // The history that a recording holds. courses: one per branch, by number from 0 on, each with the
-  // state at its start. now: the present moment.
+  // The history that a recording holds. courses: one per branch, in the order of the branches'
+  // numbers; each has the state at its start. now: the present moment.
   OperationHistory(std::vector<Course> courses, double frameRate, Moment now,
                    std::size_t mostBytes = std::size_t(512) << 20);
 
-  // Call before each step of the operation. If a branch begins here, returns it.
+  // Call before each step of the operation. If a new branch begins with this step, returns the
+  // branch.
   std::optional<Branch> beforeStep(const FrameInput& input, const Simulation& simulation);
   // Call after each step of the operation. Returns the step's events.
   std::vector<OperationEvent> afterStep(const FrameInput& input, const StepReport& report,
@@ -96,8 +99,8 @@ class OperationHistory {
   // Called while goTo() plays, after the first state and after each frame.
   using Shown = std::function<void()>;
   // Brings the simulation to that moment. Throws Error if there is no such moment. Throws Cancelled
-  // if stopped (base/stop.h). After Cancelled the simulation is not at any moment of the history;
-  // call goTo() or mend() before anything else.
+  // if a stop was requested (base/stop.h). After Cancelled the simulation is not at any moment of
+  // the history; call goTo() or mend() before anything else.
   void goTo(Moment moment, Simulation& simulation, const Shown& shown = {});
   // Whether goTo() or playNext() was stopped or failed, so that the simulation is not at any moment
   // of the history. mend() then brings it back to now(); otherwise mend() does nothing.
@@ -119,8 +122,8 @@ class OperationHistory {
   void keep(Course& course, std::int64_t frame, Bytes state);
   void drop(Course& course, std::int64_t frame);
   void thinOut();
-  // Calls visit() for each branch that led to now(), the latest first, with the branch's course and
-  // the last frame of it that led to now().
+  // Calls visit() for each branch that led to now(), the latest branch first. visit() gets the
+  // branch's course and the number of the last frame of this course that led to now().
   template <typename Visit>
   void walkBack(const Visit& visit) const;
 

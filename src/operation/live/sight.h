@@ -1,5 +1,6 @@
 // Whether the user sees the tips of the instruments in hand. The simulation does not know this; the
-// window sets it. Recordings keep it as events, since a replay cannot compute it again.
+// window sets it. Recordings keep the sight of the tips as events, since a replay cannot compute
+// the sight again.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +19,10 @@ inline bool isSight(const OperationEvent& event) {
 
 enum class Sight : std::uint8_t { Unknown, Seen, Unseen };
 
-// The events of a frame: one for each tool in hand whose sight is known, if the sight has changed
-// or the tool was taken in this frame. sight: one entry per tool; empty: unknown. memory: the sight
-// of each tool in the previous frame, which is updated; empty at the start of a branch.
+// The events of a frame. A tool in hand whose sight is known gets an event if its sight has
+// changed, or if the tool was taken in this frame. sight: one entry per tool; if empty, the sight
+// of all tools is unknown. memory: the sight of each tool in the previous frame. It is empty at the
+// start of a branch, and it is updated by this function.
 std::vector<OperationEvent> sightEvents(std::span<const Sight> sight, const Simulation& simulation,
                                         std::vector<Sight>& memory);
 

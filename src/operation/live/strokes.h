@@ -3,8 +3,8 @@
 //
 // A stroke begins when an instrument in hand touches or cuts an organ. It ends when the hand lets
 // go (FrameInput::strokeEnds), when no instrument has touched an organ for kEndSeconds, or when all
-// instruments are put back. After the hand has let go, each tool takes part in a stroke again
-// only after it was moved. So a hook that was left holding tissue starts no stroke.
+// instruments are put back. After the hand has let go, a tool takes part in a new stroke only if it
+// has been moved since. So a hook that was left holding tissue starts no stroke.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,8 @@ namespace resect {
 struct Stroke {
   std::int64_t from = 0, to = 0;  // last frame before contact; last frame in contact
   std::int64_t tool = -1;         // number of the first tool that touched; -1: a cut without touch
-  // Numbers in this stroke so far: particles removed, bonds cut by instruments, bonds torn.
+  // Numbers in this stroke so far: of particles removed, of bonds cut by instruments, and of bonds
+  // torn.
   std::int64_t removed = 0, severed = 0, torn = 0;
 };
 
@@ -38,8 +39,8 @@ class StrokeTracker {
  private:
   std::vector<Stroke> strokes_;
   EventMemory memory_;
-  // Per tool: its input when the hand let go; none after it was moved again. (A tool that is
-  // left at work may still move by some millimetres after that moment.)
+  // Per tool: its input when the hand let go. There is none after the tool was moved again. (A tool
+  // that is left at work may still move by some millimetres after the hand let go.)
   std::vector<std::optional<ToolInput>> resting_;
   bool inStroke_ = false;
   double untouched_ = 0;  // s, since the last contact of the stroke

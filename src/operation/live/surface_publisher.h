@@ -4,8 +4,8 @@
 // tissue moves, its vertices are published in blocks of 64. A block is published when one of its
 // vertices has moved visibly since the block was last published. Rest positions and cut shares
 // (isosurface/brick_look.h) are published only for new vertices. Cost of follow(): proportional to
-// the changes; for moving tissue also a pass over all vertices. One publisher serves one organ and
-// one viewer.
+// the changes. For moving tissue, there is also a pass over all vertices. One publisher serves one
+// organ and one viewer.
 #pragma once
 
 #include <cstdint>
@@ -26,10 +26,13 @@ class SurfacePublisher {
   // since the block was last published.
   explicit SurfacePublisher(float seenMotion = kSeenMotion) : seenMotion_(seenMotion) {}
 
-  // Call after every step, since the surface keeps only the changes of the last step. In four
-  // cases the next update is the whole surface: after the first call; after the surface's arrays
-  // were made anew; after a step for which follow() was not called (an undo restores a state and
-  // plays frames); and if the collected changes have become larger than twice the surface.
+  // Call after every step, since the surface keeps only the changes of the last step. In four cases
+  // the next update is the whole surface:
+  // - This is the first call.
+  // - The surface's arrays were made anew.
+  // - There was a step for which follow() was not called, as when an undo restores a state and
+  //   plays frames.
+  // - The collected changes have become larger than twice the surface.
   void follow(const PresentSurface& surface);
 
   // Returns the changes collected since the last call of take(). A viewer that applies all updates

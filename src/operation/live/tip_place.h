@@ -1,8 +1,8 @@
 // The height of the tissue under the tip of a tool, and the distance of the tip from tissue, both
 // for the tissue's present position.
 //
-// Cost: for still tissue, proportional to the bricks round and under the tip. For moving tissue, a
-// pass over all triangles, since bricks are in rest space.
+// Cost for still tissue: proportional to the number of bricks round and under the tip. Cost for
+// moving tissue: a pass over all triangles, since bricks are in rest space.
 #pragma once
 
 #include "operation/live/present_surface.h"
@@ -10,11 +10,12 @@
 namespace resect {
 
 struct TipPlace {
-  // Height y, m, of the surface straight below the tip; if there is none, of the table's top. If
-  // the tip is inside tissue: the height of the tip itself.
+  // Height, m (the coordinate y), of the surface straight below the tip. If there is no surface
+  // below, the height of the table's top. If the tip is inside tissue, the height of the tip
+  // itself.
   double below = 0;
-  // Distance of the tip from the nearest vertex of the surface, m: 0 inside tissue, at most
-  // kTipReach.
+  // Distance of the tip from the nearest vertex of the surface, m. It is 0 if the tip is inside
+  // tissue, and never more than kTipReach.
   double distance = 0;
 };
 constexpr double kTipReach = 0.03;  // largest distance that is searched, m

@@ -17,7 +17,7 @@ struct MeasureKind {
   std::string_view unit;   // "m"; "" for a pure number
   // Which values are better.
   enum class Better { Less, More, Neither } better = Better::Less;
-  // Whether the measure is of the whole attempt, of each instrument, or both.
+  // Whether the measure has a value for the whole attempt, for each instrument, or for both.
   enum class Of { Whole, Instrument, Both } of = Of::Whole;
 };
 

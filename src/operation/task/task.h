@@ -21,8 +21,8 @@ struct TaskPlace {
   std::string landmark;       // name of a landmark of the organ; "": `place` is used
   Vec3 place = Vec3::Zero();  // fractions of the organ's box; if inWorld: world, m
   bool inWorld = false;
-  // If given, the point is moved: to this depth, m, under the surface point that is nearest to it.
-  // 0: onto the surface; negative: above it.
+  // If given, the point is moved to this depth, m, under the nearest point of the surface. 0: onto
+  // the surface; negative: above the surface.
   std::optional<double> depth;
 };
 
@@ -38,8 +38,8 @@ struct TaskGoal {
   Kind kind = Kind::Touch;
   std::string organ;  // its name; "": the first organ
   std::vector<TaskPlace> places;
-  double radius = 0.006;        // m: greatest distance from a target, from the line or the plane
-  double hold = 1;              // s: how long a target must be held, or bleeding stay stopped
+  double radius = 0.006;        // m: greatest distance allowed from target, line or plane
+  double hold = 1;              // s: how long a tip must stay, or bleeding must be stopped
   std::string structure;        // name of a label of the organ
   double margin = 0.01;         // m: least margin round `structure`
   double rate = 5e-6 / 60;      // m^3/s: a smaller blood flow counts as no bleeding
@@ -86,16 +86,18 @@ struct Task {
   bool undo = true;                      // undo is allowed
   std::optional<double> forceLimit;      // N: a larger force counts as an error; see forceLimitOf()
   std::string forceLimitSource = "setting of the task";
-  std::vector<TaskLimit> limits;                 // for all levels
-  std::array<std::vector<TaskLimit>, 3> levels;  // per level; replace limits of the same measure
-  std::vector<TaskBand> bands;                   // set by the task itself; see also `published`
+  std::vector<TaskLimit> limits;  // for all levels
+  // Further limits for each level. At its level, such a limit replaces the limit of the same
+  // measure in `limits`.
+  std::array<std::vector<TaskLimit>, 3> levels;
+  std::vector<TaskBand> bands;         // set by the task itself; see also `published`
   double bandWidth = 2;                // largest deviation that passes, in standard deviations
   int bandRuns = 0;                    // number of reference runs that gave `bands`
   std::vector<std::string> published;  // names of files in data/bands with published bands
-  // What a pass needs besides the goal: `id`s of measures whose limits and bands must be kept;
-  // {"all"}: every limit and band must be kept.
+  // To pass, the goal must be reached, and the limits and bands of these measures must be kept.
+  // Each measure is given by its `id`. {"all"}: every limit and band must be kept.
   std::vector<std::string> pass = {"all"};
-  // The text that the task was read from, as TOML; recordings keep it.
+  // The text, in TOML, from which the task was read. Recordings keep this text.
   std::string text;
 };
 
@@ -105,8 +107,9 @@ std::vector<TaskLimit> limitsAt(const Task& task, TaskLevel level);
 // limit.
 std::optional<double> mostOf(const Task& task, std::string_view measure);
 
-// The force above which a force counts as an error at the task's own level: the largest allowed
-// value of the measure force_peak_n, or else Task::forceLimit. Nothing if the task has neither.
+// The limit of force at the task's own level: a larger force counts as an error. It is the largest
+// allowed value of the measure force_peak_n. If that measure has no such value, the limit is
+// Task::forceLimit. There is no limit if the task has neither value.
 struct ForceLimit {
   double force = 0;    // N
   std::string source;  // where the limit comes from, for people

@@ -14,16 +14,17 @@ class OrganSection {
   OrganSection(const TriangleMesh& surface, double x);
 
   bool empty() const { return lines_.empty(); }
-  // The two ends, z, m, of the longest stretch from back (lower z) to front over which the organ
-  // extends without a gap.
+  // Along z, the organ may have gaps in this section. back() and front() are the ends, z, m, of its
+  // longest stretch without a gap; back() is the end with the lower z.
   double back() const { return back_; }
   double front() const { return front_; }
 
   double lowest() const { return lowest_; }  // y of its lowest point, m
-  // Greatest height from underside to top at one z, m; hollows between these are included.
+  // Greatest height from underside to top at one z, m. Hollows between underside and top are
+  // included.
   double tallest() const { return tallest_; }
-  // Height y of the top at this z, m. If the organ does not extend to this z, the height at the
-  // nearest z to which it does. Throws Error if empty().
+  // Height y of the top at this z, m. If the organ does not reach this z, the height of the top at
+  // the nearest z that the organ reaches. Throws Error if empty().
   double topAt(double z) const;
 
  private:

@@ -12,13 +12,14 @@
 namespace resect {
 
 struct WayKey {
-  // When the key is reached. time: s from the start. speed: of the tip on the way from the previous
-  // key, m/s. wait: s after the previous key, used if neither time nor speed is given.
+  // The time at which the key is reached. time: s from the start. speed: speed of the tip on the
+  // way from the previous key, m/s. wait: s after the previous key; used only if neither `time` nor
+  // `speed` is given.
   std::optional<double> time, speed;
   double wait = 0;
 
-  // Position of the tool's tip, relative to the organ at rest, in the pose in which it lies in the
-  // room.
+  // Position of the tool's tip relative to the organ. The organ is at rest and has the pose in
+  // which it lies in the room.
   enum class Place {
     Same,      // as at the previous key
     Box,       // `place`, in fractions of the organ's box
@@ -29,13 +30,13 @@ struct WayKey {
   Place kind = Place::Same;
   Vec3 place = Vec3::Zero();
   std::string landmark;
-  // If given, replaces the height of the tip: depth below the organ's top at this place, m,
-  // negative above the top. If `share`, the unit is the organ's greatest height in the section
-  // instead of 1 m.
+  // If given, determines the height of the tip: `depth` is the depth of the tip below the organ's
+  // top at this place. It is negative above the top. The unit of `depth` is 1 m or, if `share` is
+  // true, the organ's greatest height in the section.
   std::optional<double> depth;
   bool share = false;
-  // Added to the position last, along the axes of the world. offset: m. cells: in sides of the
-  // organ's cells.
+  // Both are added to the position at the end, along the axes of the world. offset: in m. cells: in
+  // sides of the organ's cells.
   Vec3 offset = Vec3::Zero(), cells = Vec3::Zero();
 
   std::optional<Eigen::Quaterniond> rotation;  // in the world; none: as at the previous key

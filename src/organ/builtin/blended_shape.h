@@ -1,10 +1,11 @@
 // A body blended from ellipsoids, as a signed function.
 //
-// Ellipsoids are added to the body or carved out of it, one after the other. Each has a fillet of
-// its own width. The function's value is in metres, and negative inside the body; near the surface
-// it approximates the distance to the surface. The function is smooth (C2) except at the centre of
-// each ellipsoid, where it jumps by at most the largest radius of that ellipsoid. Cost: two square
-// roots and two divisions per ellipsoid; allocates nothing; thread-safe.
+// Ellipsoids are added to the body or carved out of it, one after the other. The blend with the
+// body has the shape of a fillet. Each ellipsoid's fillet has a width of its own. The function's
+// value is in metres, and negative inside the body; near the surface it approximates the distance
+// to the surface. The function is smooth (C2) except at the centre of each ellipsoid. There it
+// jumps, by at most the largest radius of this ellipsoid. Cost: two square roots and two divisions
+// per ellipsoid; allocates nothing; thread-safe.
 //
 // Sources: blending of implicit bodies, A. Ricci (1973); cubic smooth minimum and first-order
 // distance of an ellipsoid, I. Quilez (articles "smooth minimum", "ellipsoid distance", 2013).
@@ -21,10 +22,11 @@ enum class Blend { Add, Carve };
 
 struct BlendedEllipsoid {
   Blend blend = Blend::Add;
-  Vec3 centre = Vec3::Zero();           // m
-  Eigen::Vector4d turn = {0, 0, 0, 1};  // quaternion x, y, z, w: from its own axes to the body's
-  Vec3 radii = Vec3::Constant(0.01);    // m, each > 0
-  double fillet = 0.01;                 // m, > 0: width of the blend with the body
+  Vec3 centre = Vec3::Zero();  // m
+  // Rotation from the ellipsoid's own axes to the body's axes, as a quaternion x, y, z, w.
+  Eigen::Vector4d turn = {0, 0, 0, 1};
+  Vec3 radii = Vec3::Constant(0.01);  // m, each > 0
+  double fillet = 0.01;               // m, > 0: width of the blend with the body
 };
 
 class BlendedShape {
@@ -38,10 +40,10 @@ class BlendedShape {
   double operator()(const Vec3& p) const;
 
  private:
-  using Row = Eigen::Array<double, Eigen::Dynamic, 1, 0, kMost, 1>;  // a number per ellipsoid
+  using Row = Eigen::Array<double, Eigen::Dynamic, 1, 0, kMost, 1>;  // one number per ellipsoid
 
   // An affine map takes each ellipsoid to the unit ball. toUnit_[m][n] is entry (m, n) of the map's
-  // matrix, offset_[m] coordinate m of the origin's image.
+  // matrix. offset_[m] is coordinate m of the point to which the map takes the origin.
   Row toUnit_[3][3], offset_[3], inverseRadii_[3], fillet_, sign_;
 };
 

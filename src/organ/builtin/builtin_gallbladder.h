@@ -14,9 +14,9 @@
 
 namespace resect {
 
-// Signed value, m, at the point p, m: negative inside. Within a few millimetres of the surface the
-// value is close to the distance from it; farther away only the sign has a meaning. Cost: about
-// half a microsecond.
+// Signed value, m, at the point p, m: negative inside. Within a few millimetres of the surface, the
+// value is close to the distance from the surface. Farther away only the sign has a meaning. Cost:
+// about half a microsecond.
 double builtinGallbladderDistance(const Vec3& p);
 
 // The gallbladder's surface: closed, oriented outwards, one piece of genus 0. `edge`, 0.0005 to

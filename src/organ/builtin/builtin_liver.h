@@ -1,9 +1,9 @@
 // The built-in human liver, as a signed function and as a mesh.
 //
-// A liver computed from a formula, so that nothing has to be downloaded. It has a right and a left
-// lobe under a domed diaphragmatic face. Its visceral face is hollow, with the gallbladder fossa,
-// the umbilical fissure and the groove of the vena cava. Its inferior margin is sharp. The formula
-// blends ellipsoids that tools/fit_liver fitted to the liver of the Visible Human Male.
+// The liver is computed from a formula, so that nothing has to be downloaded. It has a right and a
+// left lobe under a domed diaphragmatic face. Its visceral face is hollow, with the gallbladder
+// fossa, the umbilical fissure and the groove of the vena cava. Its inferior margin is sharp. The
+// formula blends ellipsoids that tools/fit_liver fitted to the liver of the Visible Human Male.
 // docs/methods/builtin_liver.md describes the fit and its error. The volume is about 1.6 l, with
 // its centre near the origin. Coordinates are in metres: Y up, +Z anterior, +X the patient's left.
 #pragma once
@@ -13,19 +13,19 @@
 
 namespace resect {
 
-// Signed value, m, at the point p, m: negative inside. Within a few millimetres of the surface the
-// value is close to the distance from it; farther away only the sign has a meaning. Cost: about a
-// third of a microsecond.
+// Signed value, m, at the point p, m: negative inside. Within a few millimetres of the surface, the
+// value is close to the distance from the surface. Farther away only the sign has a meaning. Cost:
+// about a third of a microsecond.
 double builtinLiverDistance(const Vec3& p);
 
-// The liver's surface: closed, oriented outwards, one piece of genus 0. `edge`, 0.0005 to 0.005 m:
-// most triangles have no edge longer than this. At 2.5 mm there are some 60 000 triangles, computed
-// in a fraction of a second.
+// The liver's surface: closed, oriented outwards, one piece of genus 0. Most triangles have no edge
+// that is longer than `edge`, which is 0.0005 to 0.005 m. At 2.5 mm there are some 60 000
+// triangles, computed in a fraction of a second.
 TriangleMesh builtinLiver(double edge = 0.0025);
 
-// Input for growing the liver's vessels: where they enter and leave it, with hilum and vena cava as
-// in the Visible Human Male, and the random seed. Of five seeds tried, it is the one whose hepatic
-// artery and bile duct reach most terminals.
+// Input for growing the liver's vessels: the places where vessels enter and leave the liver, and
+// the random seed. Hilum and vena cava lie as in the Visible Human Male. Five seeds were tried. The
+// chosen seed is the one with which the hepatic artery and the bile duct reach most terminals.
 VesselGrowth builtinLiverVessels();
 
 }  // namespace resect

@@ -11,18 +11,20 @@
 
 namespace resect {
 
-// The nodes of a box that lie in tissue (inside, by the colour field), and the grid edges between
-// them that are whole, that is, not severed. They are found on demand, for the 64 nodes of a brick
-// at a time.
+// Tells which nodes of a box lie in tissue, and which grid edges between such nodes are whole. A
+// node lies in tissue if the colour field there is at least the iso level. An edge is whole if it
+// is not severed. Both are found when they are first asked for, for the 64 nodes of a brick at a
+// time.
 class TissueGrid {
  public:
-  // nodes: the box. Queries are valid for its nodes and those next to it. A node outside the colour
-  // field's grid is not in tissue.
+  // nodes: the box. Nodes in the box, and nodes next to the box, may be asked for. A node outside
+  // the colour field's grid is not in tissue.
   TissueGrid(const Organ& organ, const IndexBox& nodes);
 
   bool inTissue(const Vec3i& node) { return inside(brickOf(node)) >> bitOf(node) & 1; }
-  // The whole edges that lead from a node in tissue to neighbouring nodes in tissue, one bit each:
-  // bit 2 * axis for the edge downwards along the axis, bit 2 * axis + 1 for the edge upwards.
+  // For a node in tissue: which of its six edges are whole and lead to a neighbouring node in
+  // tissue. Bit 2 * axis stands for the edge downwards along the axis, bit 2 * axis + 1 for the
+  // edge upwards.
   unsigned ways(const Vec3i& node);
   // Whether all nodes lie in tissue and all edges are whole in a block of grid cells. The block has
   // `side` cells along each axis; `first` is its lowest node.
@@ -48,17 +50,17 @@ class TissueGrid {
   std::vector<Brick> bricks_;
 };
 
-// Finds the owner of a grid node: the particle whose centre, itself a grid node, is reached from
-// the node over the fewest edges. All edges on the way must be whole. Of several particles at the
-// same distance, the owner is the one with the lowest index. If no particle is within kFar edges,
-// the result is -1.
+// Finds the owner of a grid node. The centre of each particle is a grid node, too. The owner is the
+// particle whose centre is reached from the node over the fewest edges; all these edges must be
+// whole. If several particles are at the same distance, the particle with the lowest index is the
+// owner. If no particle is within kFar edges, the result is -1.
 class NodeOwners {
  public:
   static constexpr int kFar = 6;  // greatest distance of an owner, edges
 
-  // box: the nodes whose owners can be asked for. grid: must cover the box and kFar nodes round it.
-  // Memory: four bytes per node that the grid must cover, and eight per node of `box`. Cost:
-  // proportional to the number of nodes that searches visit.
+  // box: the nodes whose owners can be asked for. grid: must cover the box and kFar further nodes
+  // on each side. Memory: four bytes per node that the grid must cover, and eight per node of
+  // `box`. Cost: proportional to the number of nodes that searches visit.
   NodeOwners(const Organ& organ, TissueGrid& grid, const IndexBox& box);
 
   // node: must lie in tissue.
@@ -72,8 +74,8 @@ class NodeOwners {
 
   struct Known {
     std::int32_t owner = kNobody;
-    // Radius searched so far, edges. If `owner` is known, this is its distance; if not, the owner
-    // is farther away.
+    // Radius searched so far, edges. If the owner has been found, this is its distance. If not, the
+    // owner is farther away than this.
     std::int8_t searched = 0;
     std::uint8_t ways;  // TissueGrid::ways() of the node
   };
@@ -85,7 +87,7 @@ class NodeOwners {
   std::int32_t lookAt(std::int32_t i);
 
   // The owner of node i if that particle is at most `edges` away, else kNobody. The result is
-  // selected without a branch, since the processor could not predict one.
+  // selected without a branch, since the processor could not predict such a branch.
   std::int32_t within(int edges, std::int32_t i) {
     const Known* own = &known(i);
     if (own->owner == kNobody && own->searched < edges) {
@@ -95,10 +97,11 @@ class NodeOwners {
     const std::int32_t near = -std::int32_t(own->searched <= edges);  // all bits set, or none
     return (own->owner & near) | (kNobody & ~near);
   }
-  // Searches up to `edges` away for the owner of node i. If the owner is d edges away, it also owns
-  // a neighbour of i along a whole edge, and is d - 1 edges away from that neighbour. Of the
-  // neighbours of i along whole edges whose owner is d - 1 edges away, the owners are compared: the
-  // one with the lowest index is the owner of i.
+  // Searches up to `edges` away for the owner of node i. Suppose that the owner is d edges away
+  // from i. Then a whole edge leads from i to a neighbour that has the same owner at a distance of
+  // d - 1 edges. So the search looks at all neighbours to which a whole edge leads from i, and
+  // finds those whose owner is d - 1 edges away. The owner of i is the particle with the lowest
+  // index among the owners of these neighbours.
   void search(int edges, std::int32_t i);
 
   std::int64_t particleAt(const Vec3i& node) const;

@@ -9,13 +9,14 @@
 
 namespace resect {
 
-// Opens the surface where bonds were cut or torn. Each grid node has an owner: the particle that is
-// the fewest whole edges away (organ/incision/node_owners.h). A whole edge is severed if its two
-// nodes have different owners, and these owners are neither bonded to each other nor both bonded to
-// a third particle. So afterwards tissue joins particles only where bonds do. `parted`: bonds
-// severed since partStrands() was last called. `near`: particles near a blade that has cut since
-// then. Call before SeveredEdges::update(). Returns the number of edges severed. Cost: proportional
-// to the number of nodes near the cut and round the bonds.
+// Opens the surface where bonds were cut or torn. Each grid node has an owner, the nearest particle
+// along whole edges (organ/incision/node_owners.h). A whole edge is a grid edge that is not
+// severed. It is severed here if its two nodes have different owners and these owners are not
+// bonded, neither to each other nor both to a third particle. So afterwards tissue joins particles
+// only where bonds join them. `parted`: bonds severed since the last call of partStrands(). `near`:
+// particles near a blade that has cut since that call. Call before SeveredEdges::update(). Returns
+// the number of edges severed. Cost: proportional to the number of nodes near the cut and round the
+// bonds.
 std::int64_t partStrands(Organ& organ, const TissueModel& tissue,
                          std::span<const TissueBond> parted,
                          std::span<const std::int64_t> near = {});

@@ -14,9 +14,9 @@ std::vector<TriangleMesh> bodies(const TriangleMesh& surface);
 
 struct Body {
   TriangleMesh mesh;           // closed
-  std::int64_t particles = 0;  // 0: a fragment that no particle belongs to
+  std::int64_t particles = 0;  // 0: a fragment without particles
   double tissue = 0;           // volume of its particles and their skin cells, m^3
-  // Per label, up to the highest label in the body: the part of `tissue` that has this label, m^3.
+  // For each label up to the highest label in the body: how much of `tissue` has this label, m^3.
   // The body's mass is the sum over the labels of this volume times the density of the label's
   // material.
   std::vector<double> tissueOf;
@@ -26,7 +26,8 @@ struct Body {
 // lie at the same positions, so the surface alone does not tell them apart. Instead, two parts of
 // the surface belong to one body if whole edges of the grid connect their tissue. A sliver between
 // two cuts that holds no particle belongs to the body that it touches. The volumes of the meshes
-// add up to that of the surface, and `tissue` adds up to that of all particles. O(grid nodes).
+// add up to the volume of the surface. The values of `tissue` add up to the volume of all
+// particles. Cost: proportional to the number of grid nodes.
 std::vector<Body> bodies(const Organ& organ);
 // The same for tissue that has moved. surface: organ.surface.mesh(points) with the moved points.
 std::vector<Body> bodies(const Organ& organ, const TriangleMesh& surface);

@@ -14,7 +14,7 @@
 
 namespace resect {
 
-// Cells that follow each other along x and belong to one part.
+// Consecutive cells along x that belong to one part.
 struct CellRun {
   std::int64_t first = 0;  // index in the lattice
   std::int32_t length = 0;
@@ -23,16 +23,16 @@ struct CellRun {
 
 struct TissueParts {
   std::vector<CellRun> runs;  // of all cells with tissue, ascending
-  std::int32_t count = 0;     // number of parts; numbered from 0 in the order of their first cells
+  std::int32_t count = 0;     // number of parts; their numbers ascend with their first cells
 };
 
-// Of the parts of an organ, the largest is its body. Another part is a piece if it has at least the
-// volume kPieceVolume, m^3, and also at least the volume of kPieceCells cells. So one or two large
-// cells are not a piece. A part that has at least the share kPieceShare of the organ's volume is
-// always a piece. All other parts are debris.
+// The largest part of an organ is its body. Any other part is a piece if it has at least the volume
+// kPieceVolume, m^3, and also at least the volume of kPieceCells cells. So one or two large cells
+// are not a piece. A part is also a piece if it has at least the share kPieceShare of the organ's
+// volume. All other parts are debris.
 inline constexpr double kPieceVolume = 0.5e-6, kPieceShare = 0.01;
 inline constexpr int kPieceCells = 4;
-// The least volume of a piece. organ, cell: volumes; all m^3.
+// The least volume of a piece, m^3. organ, cell: volume of the organ and of a cell, m^3.
 inline double leastPiece(double organ, double cell) {
   return std::min(std::max(kPieceVolume, kPieceCells * cell), kPieceShare * organ);
 }

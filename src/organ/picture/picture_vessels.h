@@ -13,8 +13,8 @@ namespace resect {
 // (Gray's Anatomy, 41st ed., ch. 67). radius: of the lumen, m.
 double wallOf(VesselKind kind, double radius);
 
-// Null for an anatomy without vessels. Cost: proportional to the number of segments and of the bins
-// of the picture's grid near each segment.
+// Null for an anatomy without vessels. Cost: proportional to the number of segments, and to the
+// number of bins of the picture's grid near the segments.
 std::shared_ptr<const VesselPicture> pictureVessels(const Anatomy& anatomy);
 
 }  // namespace resect

@@ -1,9 +1,10 @@
 // Finds the particles that a vertex of the surface follows, away from wounds.
 //
-// They are the particle nearest to the vertex, and the nearest of those bonded to it. So a vertex
-// never follows particles on both sides of a cut. Weights fall to zero with distance, so that
-// neighbouring vertices move alike. They do so also at a thin margin, where a vertex follows few
-// particles, which all lie on one side of it.
+// A vertex follows the particle that is nearest to it, and the nearest of the particles bonded to
+// this particle. So a vertex never follows particles on both sides of a cut. Weights fall to zero
+// with distance, so that neighbouring vertices move alike. Neighbouring vertices move alike even at
+// a thin edge of the organ, where a vertex follows few particles and all these lie on one side of
+// the vertex.
 #pragma once
 
 #include "sph/lattice.h"

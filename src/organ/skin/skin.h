@@ -2,14 +2,15 @@
 // follow the particles round them.
 //
 // A vertex with rest position X follows up to eight particles (organ/skin/bind_vertex.h). Its
-// present position is x = sum w_i (x_i + F_i (X - X_i)). Here X_i, x_i and F_i are the rest
-// position, present position and deformation gradient of particle i, w_i its weight; the weights
-// add up to 1. For a particle with at most 13 bonds, as at a thin margin, F_i is replaced by the
-// mean of F over the particle and the particles bonded to it. Beside a wound, vertices use the
+// present position is x = sum w_i (x_i + F_i (X - X_i)). Here X_i is the rest position of particle
+// i, x_i its present position, F_i its deformation gradient and w_i its weight. The weights add up
+// to 1. For a particle with at most 13 bonds, as at a thin edge of the organ, F_i is replaced by
+// the mean of F over the particle and the particles bonded to it. Beside a wound, vertices use the
 // surface tracker's bindings, which hold only particles on the vertex's own side
 // (wound/vertex_binding.h). Normals are transformed by the cofactor matrix of the weighted mean of
-// the F_i. Cost per frame: a weighted mean of up to eight motions for each vertex, and a search for
-// particles for each vertex that is new or whose particles were removed or lost or gained bonds.
+// the F_i. Cost per frame: a weighted mean of up to eight motions for each vertex. Some vertices
+// also need a search for their particles: new vertices, and vertices that followed a particle that
+// was removed, lost a bond or gained a bond.
 #pragma once
 
 #include <array>
@@ -36,7 +37,7 @@ class SurfaceSkin {
 
   // One per vertex of the surface's arrays.
   std::span<const Vec3f> points() const { return points_; }    // world, m
-  std::span<const Vec3f> normals() const { return normals_; }  // unit, outwards; only if computed
+  std::span<const Vec3f> normals() const { return normals_; }  // unit, outwards; if computed
   std::size_t bytes() const;                                   // memory held
 
  private:

@@ -22,24 +22,26 @@ class Database {
   // Opens a database file that this program has written itself. If the file is empty or missing,
   // the database is empty. Fails if `path` is a symbolic link. name: the file's name in messages.
   Database(const std::filesystem::path& path, const std::string& name);
-  // Throws Error if a file exists at `path`, or under a name that SQLite uses beside it (`path`
-  // plus -wal, -shm or -journal). SQLite would remove the latter.
+  // Throws Error if there is a file at `path`, or a file with a name that SQLite would use beside
+  // it (`path` plus -wal, -shm or -journal). SQLite would remove a file with such a name.
   static void requireNothingAt(const std::filesystem::path& path);
   // Removes the files named `path` plus -wal, -shm or -journal. To be called before the database
-  // file at `path` is replaced: SQLite would take them for files of the new database.
+  // file at `path` is replaced, since SQLite would take these files for files of the new database.
   static void removeBeside(const std::filesystem::path& path);
   // An empty database in memory. name: used in messages.
   static Database inMemory(const std::string& name);
-  // Opens a database from an untrusted source. `bytes` hold its file and its write-ahead log, which
-  // SQLite applies. No trigger, view or function of its schema is run. Used in the child process
-  // that reads such files (record/file/foreign_recording.h).
+  // Opens a database from an untrusted source. `bytes` has the bytes of the database file and of
+  // the write-ahead log, which SQLite applies. No trigger, view or function of the database's
+  // schema is run. Used in the child process that reads such files
+  // (record/file/foreign_recording.h).
   Database(RecordingBytes& bytes, const std::string& name);
 
   // Runs statements that return nothing.
   void run(const std::string& sql);
   // Writes the whole database into the file at `path`, which must be empty.
   void copyTo(const std::filesystem::path& path);
-  // Runs a query. Returns the first value of the first row of the result; 0 if there is no row.
+  // Runs a query. Returns the first value in the first row of the result, or 0 if the result has no
+  // row.
   std::int64_t number(const std::string& sql);
   const std::string& name() const { return name_; }
   // Throws an Error that describes the last failure of SQLite.
@@ -68,7 +70,8 @@ class Statement {
   Statement& bind(int parameter, std::span<const std::byte> blob);
   // Binds NULL.
   Statement& bindNothing(int parameter);
-  // Goes to the next row. Returns false if there is none; the statement can then be bound again.
+  // Goes to the next row. If there is no next row, returns false; the statement can then be bound
+  // again.
   bool step();
   void run() {  // for statements that return nothing
     while (step()) {

@@ -32,25 +32,26 @@ RecordingShape shapeOf(Database& own);
 // Adds all rows of the recording at `path`, including those in its write-ahead log (-wal), to the
 // tables of `own`, which must be empty. Returns the errors that SQLite's integrity check finds in
 // the file, in one line; empty if there are none. Throws Error if the file is not a recording, if
-// its schema version or its tables are not those of `own`, if file and log together have more than
-// 1 GB, or if a value is of another type than its column. Throws Cancelled if `progress` returns
-// false. Memory while it runs: about three times the file's size.
+// its schema version or its tables differ from those of `own`, if file and log together have more
+// than 1 GB, or if a value is of another type than its column. Throws Cancelled if `progress`
+// returns false. Memory while it runs: about three times the file's size.
 std::string addForeignRows(const std::filesystem::path& path, Database& own,
                            const Progress& progress = {});
 
-// Decompresses bytes that zstd compressed, also in a child process. size: bytes of the result, at
-// most 1 GB. name: the recording's name in Errors. Throws Error if the bytes are damaged. Cost:
-// some ms more than without a child process.
+// Decompresses bytes that zstd compressed. This is also done in a child process. size: number of
+// bytes of the result, at most 1 GB. name: the recording's name in Errors. Throws Error if the
+// bytes are damaged. Cost: the child process adds some ms.
 Bytes unpackForeign(std::span<const std::byte> packed, std::int64_t size, const std::string& name);
 
 // The two halves of addForeignRows(), declared here for tests. rowsOf() runs in the child and
-// returns all rows as bytes. It throws Error if the result has more bytes than four times the
-// recording plus 1 MB. addRows() runs in this process: it adds the rows to `own` and returns the
+// returns all rows as bytes. It throws Error if the result is larger than 1 MB plus four times the
+// size of the recording. addRows() runs in this process: it adds the rows to `own` and returns the
 // errors that the integrity check found.
 std::string rowsOf(RecordingBytes& bytes, const RecordingShape& shape, const std::string& name);
 std::string addRows(std::string_view rows, const RecordingShape& shape, Database& own);
 
-// Appends the values of the present row to `to`, with its Statement::Kind before each value.
+// Appends the values of the present row to `to`. Before each value, appends the value's
+// Statement::Kind.
 void appendRow(std::string& to, const Statement& row);
 
 }  // namespace resect

@@ -1,7 +1,7 @@
 // Converts the input of a frame to bytes and back. A recording keeps these bytes for each frame.
 //
-// Only tools whose input differs from that in the previous frame are written. The input that is
-// read back equals the input that was written, bit for bit.
+// The input of a tool is written only if it differs from the tool's input in the previous frame.
+// The input that is read back equals the input that was written, bit for bit.
 #pragma once
 
 #include <span>
@@ -15,8 +15,8 @@ namespace resect {
 // tools.
 Bytes frameToBytes(const FrameInput& input, const FrameInput& before);
 
-// before: as for frameToBytes(). Throws Error if the bytes are truncated or damaged: if their
-// length, a number or the kind of an edit is wrong.
+// before: as for frameToBytes(). Throws Error if the bytes are truncated or damaged: if the number
+// of bytes, a value or the kind of an edit is wrong.
 FrameInput frameFromBytes(std::span<const std::byte> bytes, const FrameInput& before);
 
 }  // namespace resect

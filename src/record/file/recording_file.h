@@ -24,9 +24,9 @@ inline constexpr int kRecordingSchema = 8;
 // Largest size of a recording, bytes, including its write-ahead log.
 inline constexpr std::size_t kLargestRecording = std::size_t(1) << 30;
 
-// The files that may hold a recording: the database, and SQLite's write-ahead log, which has -wal
-// at the end of its name. The log exists only while the recording is written, and after the program
-// was killed.
+// The files that may hold a recording: the database, and SQLite's write-ahead log, whose name ends
+// in -wal. The log exists while the recording is being written. It also remains if the program was
+// killed.
 std::vector<std::filesystem::path> filesOfRecording(const std::filesystem::path& path);
 
 // A frame as stored. `frame` is Simulation::frame() after the step that computes the frame.
@@ -46,7 +46,8 @@ struct KeyState {
   std::uint64_t stateHash = 0;  // of the state and the surface (Simulation::stateHash())
 };
 
-// Position of the tip of a tool in hand at the end of a frame, and the mean force on it.
+// For a tool in hand: the position of its tip at the end of a frame, and the mean force on the tool
+// in this frame.
 struct RecordedSample {
   std::int64_t branch = 0, frame = 0, tool = 0;
   double tip[3] = {}, force[3] = {};  // world, m and N
@@ -57,15 +58,17 @@ struct RecordedSample {
 struct RecordedLedger {
   struct Amount {
     std::int64_t organ = 0, label = 0;
-    std::string part;         // before, body, piece, debris or removed
-    std::int64_t number = 0;  // of a piece, from 1 on, the largest first; otherwise 0
+    std::string part;  // before, body, piece, debris or removed
+    // Number of the piece: 1 for the largest piece, 2 for the next, and so on. 0 for other parts.
+    std::int64_t number = 0;
     std::int64_t particles = 0;
     double ml = 0, g = 0;
     bool operator==(const Amount&) const = default;
   };
   struct Wound {
     std::int64_t organ = 0, label = -1;  // -1: none
-    std::string kind;                    // cut or bared: amount in cm^2; margin: amount in mm
+    // "cut" or "bared", with `amount` in cm^2, or "margin", with `amount` in mm.
+    std::string kind;
     double amount = 0;
     bool operator==(const Wound&) const = default;
   };
@@ -80,7 +83,8 @@ struct RecordingInfo {
   std::string program;         // "resect 0.1.0"
   std::string instructionSet;  // of the processor on which it was recorded
   double frameRate = 60;
-  std::vector<std::string> fields;  // names of RecordedFrame::hashes from the second on
+  // Names of the digests in RecordedFrame::hashes, from the second digest on.
+  std::vector<std::string> fields;
 };
 
 // Makes an empty database a recording without rows: sets the application id and the schema version,
@@ -89,9 +93,9 @@ void makeRecordingTables(Database& database);
 
 class RecordingFile {
  public:
-  // Creates a file; throws Error if one exists at `path`. first, start: branch 0 and the state at
-  // which it begins. The file is written under a temporary name, and gets its own name only when
-  // info, setup, first branch and start state are in it. So a file at `path` is always a valid
+  // Creates a file; throws Error if a file exists at `path`. first: branch 0. start: the state at
+  // which branch 0 begins. The file is first written under a temporary name. It gets its own name
+  // when it contains `info`, `setup`, `first` and `start`. So a file at `path` is always a valid
   // recording.
   static RecordingFile create(const std::filesystem::path& path, const RecordingInfo& info,
                               const RecordedSetup& setup, const Branch& first,
@@ -101,17 +105,17 @@ class RecordingFile {
   // whose digests `done` keeps; Recorder's constructor does that.
   static RecordingFile goOn(const std::filesystem::path& path, RecordingFile& done);
   // Reads a finished or an interrupted recording into memory, through the sandbox
-  // (record/file/foreign_recording.h). Throws Error if the file is not a recording, if its schema
-  // has another version than kRecordingSchema, older or newer, or if it has other tables. Also
-  // throws Error if the frame rate is not 1 to 1000, or if the digest in the file does not match.
-  // The digest covers what a replay cannot verify: the table meta, the scenario, the organs and, in
-  // a finished recording, the branches.
+  // (record/file/foreign_recording.h). Throws Error if the file is not a recording, or if its
+  // tables are not those of a recording. Throws Error if the version of its schema is older or
+  // newer than kRecordingSchema. Also throws Error if the frame rate is not 1 to 1000, or if the
+  // digest in the file does not match. The digest covers what a replay cannot verify: the table
+  // meta, the scenario, the organs and, in a finished recording, the branches.
   static RecordingFile open(const std::filesystem::path& path, const Progress& progress = {});
 
   const RecordingInfo& info() const { return info_; }
   const std::string& name() const { return database_.name(); }
   RecordedSetup setup();
-  // The text of the scenario's task (Task::text); empty if it had none.
+  // The text of the scenario's task (Task::text); empty if the scenario had no task.
   std::string task();
 
   // Replaces the stored name of the program that recorded (for tests).
@@ -127,8 +131,9 @@ class RecordingFile {
   void add(const RecordedSample& sample);
   void add(const RecordedLedger& ledger);
   // Copies everything into an empty file and marks the copy as a finished recording. Must not be
-  // called between begin() and commit(). name: the file's name in messages. moment: moment() of the
-  // copy returns it; a frame after the end of the branch is replaced by the branch's last frame.
+  // called between begin() and commit(). name: the file's name in messages. moment: the result of
+  // moment() for the copy. If its frame comes after the end of the branch, it is replaced by the
+  // branch's last frame.
   void copyTo(const std::filesystem::path& path, const std::string& name,
               std::optional<Moment> moment);
   // Marks the recording as complete and merges the write-ahead log into the file.
@@ -136,11 +141,11 @@ class RecordingFile {
 
   std::vector<Branch> branches();
   std::int64_t lastFrame(std::int64_t branch);  // -1 if the branch has no frames
-  // The moment that was given to copyTo(), if the file is such a copy. Otherwise the end of the
-  // branch in which the last event happened, or of the last branch if there are no events.
+  // If copyTo() made this file and was given a moment, that moment. Otherwise the end of a branch:
+  // the branch in which the last event happened or, without events, the last branch.
   Moment moment();
   std::optional<RecordedFrame> frame(std::int64_t branch, std::int64_t number);
-  // The last key state of the branch that is at `frame` or before it.
+  // The last key state of the branch at or before the frame `frame`.
   std::optional<KeyState> keyState(std::int64_t branch, std::int64_t frame);
   std::vector<std::int64_t> keyFrames(std::int64_t branch);
   std::int64_t keyStateBytes();  // of all key states, decompressed

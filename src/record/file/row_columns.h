@@ -1,5 +1,5 @@
-// The columns of the tables branch, frames, key_states, events and samples of a recording, listed
-// once for both writing and reading.
+// The columns of five tables of a recording: `branch`, `frames`, `key_states`, `events` and
+// `samples`. Writing and reading use the same list of columns.
 #pragma once
 
 #include <cstring>
@@ -19,8 +19,8 @@ struct StoredKeyState {
   Bytes state;            // compressed by zstd
 };
 
-// columns() calls v with the name of the table and the values of the row, in the order of the
-// table's columns.
+// Each function columns() is for the rows of one table. It calls v with the name of the table,
+// followed by the values of the row, in the order of the table's columns.
 template <class Visitor>
 void columns(Visitor&& v, Branch& r) {
   v("branch", r.number, r.parent, r.from, r.name);
@@ -82,8 +82,8 @@ Row rowOf(const Statement& statement) {
   return row;
 }
 
-// All rows that a statement gives. The statement must begin with SELECT *, and its parameters must
-// be bound.
+// Runs a statement and returns all rows of the result. The statement must begin with SELECT *, and
+// its parameters must be bound.
 template <class Row>
 std::vector<Row> rowsOf(Statement& statement) {
   std::vector<Row> rows;
