@@ -23,13 +23,15 @@ struct WayOut {
   double farthest;  // m; if the way out is longer, there is no contact: the patch is edge-on
   // Least cosine of the angle between the way out and the obstacle's normal. If the way out is
   // longer than `deepest` and the cosine is below this limit, there is no contact either. Example:
-  // the side of a block is edge-on to a plate that lies on the block.
+  // a plate, the obstacle, lies on a block of tissue. From a patch on the block's side the way out
+  // runs sideways, at a right angle to the plate's normal, so the patch does not touch the plate.
   double leastSlope;
 };
 
 // All vectors are in the obstacle's coordinates. place: middle of the patch, m. inwards: the
 // tissue's normal, unit, into the tissue. width: width of the patch, m. If the way out is longer
-// than `deepest`, the result has the depth `deepest` and the normal `inwards`.
+// than `deepest` and there is contact all the same, then the depth of the result is `deepest` and
+// its normal is `inwards`, not the obstacle's normal.
 Dent dentIn(const SignedDistance& shape, const Vec3& place, const Vec3& inwards, double width,
             const WayOut& limits);
 
