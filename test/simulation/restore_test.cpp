@@ -67,8 +67,8 @@ TEST_CASE("every shipped scenario, restored in another simulation, goes on with 
     int threads = 1;
     for (std::int64_t frame = 0; frame < frames; ++frame) {
       if (frame % 10 == 0) {
-        // Of long operations every third state is followed.
-        if (frame > 0 && (frames < 600 || frame / 10 % 3 == 0)) {
+        // Every third state is followed, of short operations every second one.
+        if (frame > 0 && frame / 10 % (frames < 200 ? 2 : 3) == 0) {
           // The other one takes the ten frames that lie behind at one, two or three threads.
           const ThreadLimit limit(threads);
           threads = threads % 3 + 1;

@@ -40,7 +40,7 @@ struct Cut {
 struct Outcome {
   double force = 0, along = 0;  // means, over J w
   double largest = 0;           // force at any time, over J w
-  double work = 0, cut = 0;     // of the hand; what the cut took, J
+  double work = 0, cut = 0;     // work of the hand, work of cutting, J
   double expected = 0;          // J times the area cut, J
   double unexplained = 0;       // of the hand's work, share
   std::int64_t severed = 0;     // bonds
@@ -233,9 +233,9 @@ TEST_CASE("the hand's work goes into the cut and the tissue, and the cut takes J
   for (const auto& [mm, allowed] : {std::pair(8.0, 0.08), {5.0, 0.05}, {2.5, 0.02}}) {
     const Outcome cut = through({.spacing = 1e-3 * mm});
     CAPTURE(mm);
-    CHECK(figures.addError(fmt::format("cells of {} mm: work that is unexplained", mm),
+    CHECK(figures.addError(fmt::format("cells of {} mm: work not accounted for, share", mm),
                            std::abs(cut.unexplained), allowed) < allowed);
-    CHECK(figures.add(fmt::format("cells of {} mm: what the cut took, over J A", mm),
+    CHECK(figures.add(fmt::format("cells of {} mm: work of cutting / (J A)", mm),
                       cut.cut / cut.expected, 1, 0.1) < 0.1);
   }
 }

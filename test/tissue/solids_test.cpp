@@ -119,7 +119,7 @@ TEST_CASE(
     const double tip = tissue.displacement(tissue.lattice().index({n - 1, 2, 2})).x();
     const double x = (n - 1 - kWall) * kSpacing, face = x + kSpacing / 2;
     const double expected = m.density * g / m.young * (face * x - x * x / 2);
-    CHECK(figures.add("tip, held layer taken as a wall 0.33 s inside (m)", tip, expected, 0.01) <
+    CHECK(figures.add("tip, if the wall is 0.33 spacings inside (m)", tip, expected, 0.01) <
           0.01);
   }
 }
@@ -176,5 +176,5 @@ TEST_CASE("a hanging cube sags the same at 10 and at 100 thousand particles") {
     return sum;
   };
   const double coarse = sag(22), fine = sag(46);
-  CHECK(figures.add("sag at 10 648 (m), against 97 336 particles", coarse, fine, 0.03) < 0.03);
+  CHECK(figures.add("sag (m), 10 648 particles against 97 336", coarse, fine, 0.03) < 0.03);
 }
