@@ -18,9 +18,10 @@
 namespace resect {
 namespace {
 
-constexpr double kStillSeconds = 0.1;  // after this the picture is drawn antialiased
+constexpr double kStillSeconds = 0.1;  // after this the picture is drawn sharp, then antialiased
 constexpr double kSlowSeconds = 0.25;  // at least, from one drawing of slow damage to the next
 constexpr int kStrips = 10;            // of a smooth picture, one a tick
+constexpr int kSharpStrips = 3;        // drawn together at full resolution
 constexpr std::uint32_t kAllStrips = (1u << kStrips) - 1;
 constexpr int kPicturesPerStrip = 6;   // while something moves,
 constexpr double kStripSeconds = 0.1;  // or after this time
@@ -138,8 +139,12 @@ void Viewer::tick() {
   } else if (still > kStillSeconds && rough_ != 0) {
     // Shadows of what moves slowly are drawn once for all strips.
     session_->room().holdShadows(!std::exchange(shadowsDue_, false));
-    drawNextStrip(rough_);
-    behind_ &= rough_;
+    if (coarse_ != 0) {
+      sharpenStrips();
+    } else {
+      drawNextStrip(rough_);
+      behind_ &= rough_;
+    }
   }
   if (ticked) ticked();
 }
@@ -147,7 +152,19 @@ void Viewer::tick() {
 void Viewer::drawNextStrip(std::uint32_t& strips) {
   const int strip = std::countr_zero(strips);
   strips &= strips - 1;
+  coarse_ &= ~(1u << strip);
   drawStrip(strip);
+}
+
+// Draws the lowest coarse strips at full resolution, for the eye sees coarse pixels first.
+void Viewer::sharpenStrips() {
+  const int first = std::countr_zero(coarse_);
+  const int end =
+      std::min({first + std::countr_one(coarse_ >> first), first + kSharpStrips, kStrips});
+  for (int i = first; i < end; ++i) coarse_ &= ~(1u << i);
+  if (image_.size() != pictureSize()) return;
+  const PixelRect part = picture_.drawSharp(session_->root(), first, end, kStrips);
+  repaint(fetch(std::span(&part, 1)));
 }
 
 // Slow damage makes its strips rough: they are drawn again, one a tick, at full resolution.
@@ -187,6 +204,7 @@ void Viewer::drawChanges(double looked) {
   const QRegion changed = fetch(picture_.draw(session_->root(), *session_->room().camera(), damage_,
                                               viewport().getWindowSize()));
   pace_.pictureIsDrawn();
+  std::uint32_t changedStrips = kAllStrips;
   if (!picture_.processorDraws()) {
     rough_ = behind_ = 0;
   } else if (whole) {
@@ -194,8 +212,10 @@ void Viewer::drawChanges(double looked) {
     sinceStrip_ = 0;
   } else {
     damage_.add({false, damage_.shadows, {}});
-    rough_ |= stripsOf(pixelsOf(damage_, *session_->room().camera(), viewport()));
+    changedStrips = stripsOf(pixelsOf(damage_, *session_->room().camera(), viewport()));
+    rough_ |= changedStrips;
   }
+  if (picture_.reduced()) coarse_ |= changedStrips;
   const Aabb slow = whole ? Aabb() : damage_.slow;
   damage_ = {};
   damage_.slow = slow;

@@ -79,6 +79,7 @@ class Viewer : public QWidget {
   double seconds() const { return double(clock_.nsecsElapsed()) * 1e-9; }
   void drawStrip(int strip);
   void drawNextStrip(std::uint32_t& strips);
+  void sharpenStrips();
   void takeSlowDamage();
   std::uint32_t stripsOf(std::span<const PixelRect> parts) const;
   QSize pictureSize() const;
@@ -92,6 +93,7 @@ class Viewer : public QWidget {
   QImage image_;  // the picture on the screen
   Damage damage_;
   // Sets of strips of the picture: bit i is strip i, counted from below.
+  std::uint32_t coarse_ = 0;  // strips of which parts are drawn at a lower resolution
   std::uint32_t rough_ = 0;   // strips that are not antialiased yet
   std::uint32_t behind_ = 0;  // strips that are still to be antialiased while parts move
   int sinceStrip_ = 0;        // number of pictures drawn since the last strip was drawn

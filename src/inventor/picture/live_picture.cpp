@@ -154,6 +154,7 @@ std::span<const PixelRect> LivePicture::draw(SoNode* scene, const SoPerspectiveC
   const bool nothing = c.shown.width != width || c.shown.height != height;
   c.shown.make(width, height, 1);
   drawnPixels_ = 0;
+  reduced_ = false;
   if (!c.processorDraws) {
     drawSmooth(scene, 0, 1);
     parts_.assign(1, whole);
@@ -168,10 +169,11 @@ std::span<const PixelRect> LivePicture::draw(SoNode* scene, const SoPerspectiveC
   if (parts_.empty()) return parts_;
   const double begin = steadySeconds();
   const bool sharp = sharp_ || double(area(parts_)) < kMostSharp * width * height;
-  if (sharp || scale_ == 1) {
-    drawParts(scene, c.shown, parts_);
-  } else {
+  reduced_ = !sharp && scale_ != 1;
+  if (reduced_) {
     drawCoarse(scene);
+  } else {
+    drawParts(scene, c.shown, parts_);
   }
   glFinish();
   const double seconds = steadySeconds() - begin;
@@ -198,12 +200,26 @@ void LivePicture::drawCoarse(SoNode* scene) {
   for (std::size_t i = 0; i < small.size(); ++i) copy(c.coarse, small[i], c.shown, parts_[i]);
 }
 
+PixelRect LivePicture::stripRect(int first, int end, int strips) const {
+  const Buffer& shown = context_->shown;
+  const auto edge = [&](int i) { return int(std::int64_t(shown.height) * i / strips); };
+  return {0, edge(first), shown.width, edge(end)};
+}
+
+PixelRect LivePicture::drawSharp(SoNode* scene, int first, int end, int strips) {
+  Context& c = *context_;
+  c.gl.makeCurrent();
+  const PixelRect part = stripRect(first, end, strips);
+  drawnPixels_ = 0;
+  drawParts(scene, c.shown, std::span(&part, 1));
+  return part;
+}
+
 PixelRect LivePicture::drawSmooth(SoNode* scene, int strip, int strips) {
   Context& c = *context_;
   c.gl.makeCurrent();
   c.smooth.make(c.shown.width, c.shown.height, kSmoothSamples);
-  const auto edge = [&](int i) { return int(std::int64_t(c.shown.height) * i / strips); };
-  const PixelRect part{0, edge(strip), c.shown.width, edge(strip + 1)};
+  const PixelRect part = stripRect(strip, strip + 1, strips);
   drawnPixels_ = 0;
   drawParts(scene, c.smooth, std::span(&part, 1));
   copy(c.smooth, part, c.shown, part);

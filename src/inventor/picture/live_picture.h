@@ -7,7 +7,8 @@
 // - If drawing takes longer than setLongestPicture() allows, large changed parts are drawn at a
 //   lower resolution.
 // - Edges are not antialiased. When nothing moves any more, the caller requests an antialiased
-//   picture from drawSmooth(), strip by strip.
+//   picture from drawSmooth(), strip by strip. Strips that were drawn at a lower
+//   resolution are drawn at full resolution first, by drawSharp().
 // The caller needs to read only the pixels that may have changed (read()).
 #pragma once
 
@@ -53,6 +54,9 @@ class LivePicture {
   // strip: number of this strip; the lowest strip has the number 0. strips: number of strips.
   // `scene` must be the scene of the last draw(). Returns the rectangle of the strip.
   PixelRect drawSmooth(SoNode* scene, int strip, int strips);
+  // Draws the strips from `first` up to, not including, `end` at full resolution, not antialiased.
+  // This takes about a third of the time that drawSmooth() takes.
+  PixelRect drawSharp(SoNode* scene, int first, int end, int strips);
   // Copies the pixels of `part` in the form 0xffRRGGBB. The top row is written from `topLeft` on.
   // Each further row begins `stride` pixels after the start of the row above it.
   void read(const PixelRect& part, std::uint32_t* topLeft, std::ptrdiff_t stride);
@@ -62,6 +66,8 @@ class LivePicture {
   // Resolution at which large changes are drawn, along each axis, as a fraction of the full
   // resolution.
   double scale() const { return scale_; }
+  // Whether the last draw() reduced the resolution.
+  bool reduced() const { return reduced_; }
   // Number of pixels that the last draw() or drawSmooth() has drawn.
   std::int64_t drawnPixels() const { return drawnPixels_; }
 
@@ -69,6 +75,7 @@ class LivePicture {
   struct Buffer;
   struct Context;
 
+  PixelRect stripRect(int first, int end, int strips) const;
   static void copy(const Buffer& from, const PixelRect& a, const Buffer& to, const PixelRect& b);
   void drawParts(SoNode* scene, const Buffer& buffer, std::span<const PixelRect> parts);
   void drawCoarse(SoNode* scene);
@@ -81,7 +88,7 @@ class LivePicture {
   Damage late_;  // changes of soft shadows that have not been drawn yet
   std::vector<PixelRect> parts_;
   std::vector<std::uint32_t> rows_;  // work space of read()
-  bool sharp_ = false;
+  bool sharp_ = false, reduced_ = false;
   int sinceShadows_ = 0;  // number of pictures since changed shadows were drawn last
   // Moving averages of drawing times, s: of pictures without changed shadows (plain_), and of
   // pictures with them (shadowed_).
