@@ -10,7 +10,6 @@ void main() {
   vec2 at = gl_FragCoord.xy * texel;
   vec4 place = texture2D(places, at), bend = texture2D(bends, at);
   float z = bend.z;
-  if (z == 0.0) discard;  // nothing of the organ here
   vec3 n = vec3(bend.xy, 1.0 - abs(bend.x) - abs(bend.y));
   float under = max(-n.z, 0.0);
   n.xy += vec2(n.x < 0.0 ? under : -under, n.y < 0.0 ? under : -under);

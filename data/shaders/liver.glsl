@@ -30,6 +30,8 @@ vec3 capsuleColour(Patterns at, vec3 base) {
   return mix(colour, vec3(0.20, 0.085, 0.070), 0.14 * haze);
 }
 
+#ifndef PLAIN
+
 // Vessels of an organ of which no vessels are known: curves in space, where two noises vanish together.
 // Walls are pale, lumens full of dark blood.
 vec3 withCurves(vec3 inside, Patterns at, vec3 p) {
@@ -50,7 +52,10 @@ vec3 parenchymaColour(Patterns at, vec4 grain, vec3 p) {
   return vesselBin > 0.0 ? inside : withCurves(inside, at, p);
 }
 
-// share: as cutOrRim() gives it; base: of the capsule; n: unit normal.
+#endif
+
+// share: as cutOrRim() gives it; base: of the capsule; n: unit normal. With PLAIN: the tissue's skin
+// without blood, marks of heat and structures below it.
 Tissue tissueAt(vec3 p, float wide, float share, vec3 base, vec3 n) {
   Patterns at = patternsAt(p, wide);
   // The edge of a cut wanders a little; the capsule there is a thin pale line.
@@ -65,6 +70,7 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base, vec3 n) {
   t.bumps = 0.016 * at.broad.yzw + 0.014 * at.middle.yzw + 0.012 * at.fine.yzw;
   t.waves = 0.050 * at.broad.yzw + 0.060 * at.middle.yzw + 0.030 * at.fine.yzw;
   t.wet = smoothstep(0.02, 0.42, 0.8 * at.low.x + 0.45 * at.broad.x + 0.15);
+#ifndef PLAIN
   if (border > 0.0) {
     vec4 grain = noise(p * 1000.0) * finer(1000.0 * wide);
     t.albedo = mix(t.albedo, parenchymaColour(at, grain, p), border);
@@ -98,8 +104,10 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base, vec3 n) {
     float below = smoothstep(0.25, 0.85, structureAt(p).x + 0.10 * at.broad.x + 0.06 * at.middle.x);
     t.albedo = mix(t.albedo, vec3(0.22, 0.115, 0.085), 0.5 * (1.0 - border) * below);
   }
+#endif
   t.albedo = mix(t.albedo, vec3(0.25, 0.120, 0.090), 0.36 * pale);
   t.albedo = mix(t.albedo, vec3(0.030, 0.0025, 0.003), 0.9 * max(-share, 0.0));  // blood in a rim
+#ifndef PLAIN
   vec2 heat = heatAt(p);
   if (heat.x > 0.0) {
     // Coagulated tissue is dull and grey-tan, brown at its edge; then black.
@@ -121,6 +129,7 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base, vec3 n) {
     t.wet = mix(t.wet, 1.0 - 0.6 * clot, max(covered, clot));
     t.lost *= 1.0 - 0.7 * covered;
   }
+#endif
   return t;
 }
 

@@ -28,6 +28,8 @@ namespace resect {
 namespace {
 
 constexpr int kPlacesUnit = 3, kBendsUnit = 4;
+// Stencil values of the organ's pixels; 0: other pixels.
+constexpr int kPlain = 1, kRich = 2;
 
 // The current depth renderbuffer; 0 if there is none or it is multisampled.
 GLuint singleDepths() {
@@ -46,15 +48,22 @@ GLuint singleDepths() {
 }  // namespace
 
 struct SoShadeOnce::ContextTextures {
-  GLuint framebuffer = 0, textures[2] = {}, program = 0;
+  GLuint framebuffer = 0, textures[2] = {};
+  // mark finds the pixels of rich tissue. plain and rich shade.
+  GLuint mark = 0, plain = 0, rich = 0;
   int width = 0, height = 0;
 
+  bool hasPrograms() const { return mark != 0 && plain != 0 && rich != 0; }
   // At least this large.
   void make(int w, int h) {
-    if (program == 0)
-      program =
+    if (mark == 0) {
+      mark = makeProgram({"gathered.vert"}, {"noise.glsl", "blood.glsl", "mark_rich.frag"});
+      plain = makeProgram({"gathered.vert"}, {"plain.glsl", "light.glsl", "noise.glsl", "wet.glsl",
+                                              "liver.glsl", "gathered.frag"});
+      rich =
           makeProgram({"gathered.vert"}, {"light.glsl", "noise.glsl", "blood.glsl", "vessels.glsl",
                                           "wet.glsl", "liver.glsl", "gathered.frag"});
+    }
     if (w <= width && h <= height) return;
     glPushAttrib(GL_TEXTURE_BIT);
     freeTextures();
@@ -80,7 +89,8 @@ struct SoShadeOnce::ContextTextures {
   }
   void free() {
     freeTextures();
-    if (program) glDeleteProgram(program);
+    for (const GLuint program : {mark, plain, rich})
+      if (program) glDeleteProgram(program);
   }
 };
 
@@ -154,42 +164,65 @@ void SoShadeOnce::GLRender(SoGLRenderAction* action) {
 bool SoShadeOnce::gather(SoGLRenderAction* action, ContextTextures& textures, unsigned depths) {
   const PixelRect part = pixels(action);
   if (part.empty()) return true;
-  GLint target = 0, program = 0, unit = 0, view[4];
+  GLint target = 0, view[4];
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
   glGetIntegerv(GL_VIEWPORT, view);
   // Not GL_COLOR_BUFFER_BIT: the children's material may switch blending, and Coin remembers that.
-  glPushAttrib(GL_SCISSOR_BIT);
+  glPushAttrib(GL_SCISSOR_BIT | GL_STENCIL_BUFFER_BIT);
   GLfloat clear[4];
   glGetFloatv(GL_COLOR_CLEAR_VALUE, clear);
   textures.make(view[0] + view[2], view[1] + view[3]);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, textures.framebuffer);
-  glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depths);
-  const bool works = textures.program != 0 &&
+  const auto attach = [](GLuint name) {
+    glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
+                              name);
+  };
+  attach(depths);
+  const bool works = textures.hasPrograms() &&
                      glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   if (works) {
     glEnable(GL_SCISSOR_TEST);
     glScissor(part.left, part.bottom, part.right - part.left, part.top - part.bottom);
     glClearColor(0, 0, 0, 0);
-    glClear(GL_COLOR_BUFFER_BIT);
+    glClear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     glClearColor(clear[0], clear[1], clear[2], clear[3]);
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_ALWAYS, kPlain, ~0u);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     action->getState()->push();
     gathering_->GLRender(action);
     SoGroup::GLRender(action);
     action->getState()->pop();
   }
-  glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, 0);
+  attach(0);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(target));
   if (works) {
-    // Coin caches OpenGL's state: everything is restored.
-    glGetIntegerv(GL_CURRENT_PROGRAM, &program);
-    glGetIntegerv(GL_ACTIVE_TEXTURE, &unit);
-    glPushAttrib(GL_ENABLE_BIT | GL_DEPTH_BUFFER_BIT | GL_TEXTURE_BIT | GL_POLYGON_BIT);
-    glUseProgram(textures.program);
-    for (const int t : {0, 1}) {
-      glActiveTexture(GLenum(GL_TEXTURE0 + (t == 0 ? kPlacesUnit : kBendsUnit)));
-      glBindTexture(GL_TEXTURE_2D, textures.textures[t]);
-    }
-    const auto at = [&](const char* name) { return glGetUniformLocation(textures.program, name); };
+    shade(action, textures);
+    ++pictures_;
+  }
+  glPopAttrib();
+  return works;
+}
+
+// Shades the pixels whose stencil value gather() has set.
+void SoShadeOnce::shade(SoGLRenderAction* action, ContextTextures& textures) {
+  const auto context = std::uint32_t(SoGLCacheContextElement::get(action->getState()));
+  GLint before = 0, unit = 0, view[4];
+  glGetIntegerv(GL_VIEWPORT, view);
+  // Coin caches OpenGL's state: everything is restored.
+  glGetIntegerv(GL_CURRENT_PROGRAM, &before);
+  glGetIntegerv(GL_ACTIVE_TEXTURE, &unit);
+  glPushAttrib(GL_ENABLE_BIT | GL_DEPTH_BUFFER_BIT | GL_TEXTURE_BIT | GL_POLYGON_BIT);
+  for (const int t : {0, 1}) {
+    glActiveTexture(GLenum(GL_TEXTURE0 + (t == 0 ? kPlacesUnit : kBendsUnit)));
+    glBindTexture(GL_TEXTURE_2D, textures.textures[t]);
+  }
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  const auto cover = [&](GLuint program, int stencil) {
+    glUseProgram(program);
+    const auto at = [&](const char* name) { return glGetUniformLocation(program, name); };
     glUniform1i(at("places"), kPlacesUnit);
     glUniform1i(at("bends"), kBendsUnit);
     glUniform1i(at("lampShadow"), kLampShadowUnit);
@@ -198,20 +231,20 @@ bool SoShadeOnce::gather(SoGLRenderAction* action, ContextTextures& textures, un
     glUniform4f(at("viewport"), float(view[0]), float(view[1]), float(view[2]), float(view[3]));
     for (int i = 0; i < getNumChildren(); ++i)
       if (getChild(i)->isOfType(SoOrganShape::getClassTypeId()))
-        static_cast<SoOrganShape*>(getChild(i))
-            ->bindInside(std::uint32_t(SoGLCacheContextElement::get(action->getState())),
-                         textures.program);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_BLEND);
+        static_cast<SoOrganShape*>(getChild(i))->bindInside(context, program);
+    glStencilFunc(GL_EQUAL, stencil, ~0u);
     glRectf(-1, -1, 1, 1);
-    glPopAttrib();
-    glActiveTexture(GLenum(unit));
-    glUseProgram(GLuint(program));
-    ++pictures_;
-  }
+  };
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);  // from kPlain to kRich
+  cover(textures.mark, kPlain);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  cover(textures.plain, kPlain);
+  cover(textures.rich, kRich);
   glPopAttrib();
-  return works;
+  glActiveTexture(GLenum(unit));
+  glUseProgram(GLuint(before));
 }
 
 }  // namespace resect

@@ -5,14 +5,20 @@
 // small as pixels, it shades each pixel about ten times. With this group it shades each pixel once,
 // in two passes. The first pass draws the shapes into a G-buffer (Saito and Takahashi 1990): a
 // shader program (data/shaders/gather.frag) stores the inputs of the liver's shading in two
-// textures. Depths go to the picture's own depth buffer. In the second pass, a second program
-// (data/shaders/gathered.frag) shades each pixel.
+// textures. Depths go to the picture's own depth buffer, and the organ's pixels are marked in its
+// stencil buffer. In the second pass, data/shaders/gathered.frag shades each marked pixel.
+//
+// A software renderer also evaluates both sides of each branch. So the pixels of rich tissue (cut,
+// bloody, heated, or with a structure under the skin) are marked with a value of their own
+// (data/shaders/mark_rich.frag). All other pixels are shaded by a program without that code
+// (data/shaders/plain.glsl).
 //
 // The group shades in this way if three conditions hold: a shader program is in use, the
-// framebuffer has one sample per pixel, and it has a depth renderbuffer. In all other cases the
-// group acts as a plain SoGroup, such as in antialiased pictures, in shadow maps and for picking.
-// With a graphics card all pictures are antialiased, so there the group always acts as a plain
-// SoGroup. The children of the group must be shapes with the attributes of SoOrganShape.
+// framebuffer has one sample per pixel, and it has a renderbuffer for depth and stencil. In all
+// other cases the group acts as a plain SoGroup, such as in antialiased pictures, in shadow maps
+// and for picking. With a graphics card all pictures are antialiased, so there the group always
+// acts as a plain SoGroup. The children of the group must be shapes with the attributes of
+// SoOrganShape.
 #pragma once
 
 #include <Inventor/nodes/SoGroup.h>
@@ -44,6 +50,7 @@ class SoShadeOnce : public SoGroup {
   struct ContextTextures;
 
   bool gather(SoGLRenderAction* action, ContextTextures& textures, unsigned depths);
+  void shade(SoGLRenderAction* action, ContextTextures& textures);
   PixelRect pixels(SoGLRenderAction* action) const;
 
   PerContext<ContextTextures> contexts_;
