@@ -161,13 +161,6 @@ void VertexBinder::findParts(const CubeEdges& edges, Cube& made) const {
   }
 }
 
-VertexBinding VertexBinder::bindAll(const Vec3& p) {
-  VertexBinding binding;
-  addCorners(binding, cubeOf(p), p, [](int) { return true; });
-  if (binding.count > 0) normalise(binding);
-  return binding;
-}
-
 VertexBinding VertexBinder::bindWithin(const Vec3& p, const Vec3i& place, NearbyNodes anchors) {
   const Cube& within = cubeOf(p);
   const Vec3i& low = within.low;

@@ -1,12 +1,13 @@
 // Bindings: the particles that a vertex near a wound follows, with their weights.
 //
-// A lattice cube has the centres of eight neighbouring cells as its corners. Far from wounds, a
-// vertex follows the particles at the corners of the lattice cube that contains the vertex. Beside
-// a cut, it must follow only the particles on its own side of the cut. The anchors of a vertex are
-// grid nodes in the same piece of tissue as the vertex. To find the particles, a search starts at
-// the anchors. Within the lattice cube, it follows grid edges through tissue that are whole, that
-// is, not severed. If the search reaches no particle, it is widened. A vertex at the front of a cut
-// has anchors on both sides of the cut, so it follows particles on both sides.
+// A lattice cube has the centres of eight neighbouring cells as its corners. A vertex near a wound
+// follows particles at the corners of the lattice cube that contains the vertex. (Vertices far from
+// wounds: organ/skin/bind_vertex.h.) Beside a cut, it must follow only the particles on its own
+// side of the cut. The anchors of a vertex are grid nodes in the same piece of tissue as the
+// vertex. To find the particles, a search starts at the anchors. Within the lattice cube, it
+// follows grid edges through tissue that are whole, that is, not severed. If the search reaches no
+// particle, it is widened. A vertex at the front of a cut has anchors on both sides of the cut, so
+// it follows particles on both sides.
 #pragma once
 
 #include <span>
@@ -48,8 +49,6 @@ class VertexBinder {
   VertexBinding bindWithin(const Vec3& p, const Vec3i& place, NearbyNodes anchors);
   // Whether any search so far went beyond the lattice cube of its vertex.
   bool lookedFar() const { return lookedFar_; }
-  // Binds the vertex at p to all particles of the lattice cube that contains p.
-  VertexBinding bindAll(const Vec3& p);
 
  private:
   struct Cube;
