@@ -4,8 +4,8 @@
 // levels, only the levels are stored, in one byte each. All values of an organ that is made from a
 // mesh have levels: discretize() counts 4 x 4 x 4 samples, fitSurface() rounds its corrections, and
 // tools only set cells to 0. The value of a level is exact as a float, since 100/128 has few binary
-// digits. When a value is set that is no whole level, all values are converted to floats and stay
-// so. Levels need a quarter of the memory traffic of floats.
+// digits. When a value without a level is set, all values are converted to floats, and they
+// remain floats. Levels need a quarter of the memory traffic of floats.
 #pragma once
 
 #include <cmath>

@@ -42,12 +42,12 @@ class Structure {
 
   int label_ = 0;
   Vec3 origin_, spacing_;
-  IndexBox box_;  // all cells whose share can be above 0, and a halo of one cell
+  IndexBox box_;  // all cells whose averaged flag can be above 0, and a halo of one cell
   // Per cell of the box: averaged flag, in 64ths. The cell's centre is inside if this is at
   // least 33.
   std::vector<std::uint8_t> share_;
   std::vector<Vec3f> points_;       // points of its surface, m, sorted as a k-d tree (sortInto())
-  std::vector<std::uint8_t> axis_;  // per point: axis along which it divides its range
+  std::vector<std::uint8_t> axis_;  // per point: axis along which it divides the points below it
   Vec3f low_, high_;                // box round the points
 };
 

@@ -1,5 +1,5 @@
-// Queries about points of elastic tissue at rest: their present positions, and the tissue round
-// them.
+// Queries about points of elastic tissue that are given in rest space: where such a point is at
+// present, and what tissue lies round it.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@ struct PointCells {
   std::vector<double> weights;   // one per cell; the weights add up to 1
   Vec3 mean = Vec3::Zero();      // weighted mean of the cells' rest positions, m
   std::int32_t nearest = -1;     // the cell whose centre is nearest at rest; -1: there is no cell
-  Mat3 gradient = Mat3::Zero();  // F - I of the nearest cell when the cells were found
+  Mat3 gradient = Mat3::Zero();  // F - I of `nearest` at the time of findCells()
 };
 
 // All points are given in rest space, m.
@@ -28,16 +28,17 @@ class RestTissue {
   RestTissue(const ElasticState& state, const Lattice& lattice, const ContactPoints& surface)
       : state_(state), lattice_(lattice), surface_(surface) {}
 
-  // Finds the cells that stand for a point: the solid cells within the reach (see kCutReach). If
-  // there are none, or only cells at the end of the reach, takes the nearest solid cell instead, if
-  // its centre is at most two spacings away along each axis. Since a force on a single cell would
-  // crush the cell, forces are spread over a length that does not depend on the lattice.
+  // Finds the cells that stand for a point: the solid cells within the reach (kCutReach). The reach
+  // is a length and no number of cells, since a force on one small cell would crush that cell. If
+  // there are no such cells, or if all of them are almost a full reach away, the nearest solid cell
+  // stands for the point. Its centre must be at most two spacings away along each axis; otherwise
+  // no cell is found.
   void findCells(const Vec3& point, PointCells& cells) const;
   Vec3 displacement(const Vec3& point, const PointCells& cells) const;  // m
   Vec3 velocity(const PointCells& cells) const;                         // m/s
   // The distance, m, between two estimates of the point's present position. One estimate uses the
-  // mean of all cells of the point, the other its nearest cell alone. Between the lips of an open
-  // cut, the distance is half of the gap.
+  // mean of all cells of the point, the other its nearest cell alone. For a point
+  // between the lips of an open cut, the result is half of the width of the gap.
   double apart(const Vec3& point, const PointCells& cells) const;
   // Whether the point lies in tissue: below the organ's surface, in a cell that was not removed.
   bool inside(const Vec3& point) const { return depth(point) > 0; }
@@ -46,11 +47,11 @@ class RestTissue {
   // elsewhere.
   double depth(const Vec3& point) const;
   // Whether there is uncut tissue ahead of `point`. For this, a small rectangular strip is tested.
-  // Its middle line leads from `point` to `point + ahead`; it is one spacing wide along the unit
-  // vector `along`. A pair of neighbouring solid cells crosses the strip if the line between their
-  // centres does. The result is true in two cases: if the first pair that crosses the strip,
-  // counted from `point`, is bonded, or if any pair that crosses the nearer half of the strip is
-  // bonded.
+  // The strip's middle line leads from `point` to `point + ahead`. The strip is one spacing wide,
+  // measured along the unit vector `along`. A pair of neighbouring solid cells crosses the strip if
+  // the line between their centres does. The result is true in two cases: if the first pair that
+  // crosses the strip, counted from `point`, is bonded, or if any pair that crosses the nearer half
+  // of the strip is bonded.
   bool tissueAhead(const Vec3& point, const Vec3& along, const Vec3& ahead) const;
 
   const ElasticState& state() const { return state_; }
