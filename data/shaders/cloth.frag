@@ -19,7 +19,7 @@ void main() {
 
   // Threads every 0.9 mm; where a pixel is wider they become a tone.
   vec2 thread = q * 1100.0, wide = fwidth(thread);
-  float seen = 1.0 - smoothstep(0.10, 0.32, max(wide.x, wide.y));
+  float seen = 1.0 - smoothstep(0.07, 0.20, max(wide.x, wide.y));
   vec2 wave = sin(3.14159 * thread);
   float weave = seen * wave.x * wave.y;
 

@@ -112,15 +112,15 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base, vec3 n) {
   if (heat.x > 0.0) {
     // Coagulated tissue is dull and grey-tan, brown at its edge; then black.
     float rough = 0.5 * at.middle.x + 0.5 * at.fine.x;
-    float tan_ = smoothstep(0.25, 0.75, heat.x + 0.15 * rough), edge = smoothstep(0.05, 0.4, heat.x) * (1.0 - tan_);
-    t.albedo = mix(t.albedo, vec3(0.115, 0.060, 0.040), 0.6 * edge);
-    t.albedo = mix(t.albedo, vec3(0.300, 0.215, 0.150) * (1.0 + 0.15 * rough), 0.9 * tan_);
+    float tan_ = smoothstep(0.25, 0.90, heat.x + 0.30 * rough), edge = smoothstep(0.02, 0.4, heat.x) * (1.0 - tan_);
+    t.albedo = mix(t.albedo, vec3(0.105, 0.048, 0.034), 0.7 * edge);
+    t.albedo = mix(t.albedo, vec3(0.165, 0.105, 0.072) * (1.0 + 0.35 * rough), 0.85 * tan_);
     t.albedo = mix(t.albedo, vec3(0.018, 0.013, 0.011), smoothstep(0.15, 0.7, heat.y + 0.25 * rough));
     t.wet *= 1.0 - 0.75 * tan_;
     t.bumps += 0.04 * tan_ * at.fine.yzw;
   }
   vec2 blood = bloodAt(p, at.middle.x + 0.5 * at.fine.x, n);
-  blood *= 1.0 - 0.93 * smoothstep(0.3, 0.8, heat.x);  // it has boiled away
+  blood *= 1.0 - 0.85 * smoothstep(0.3, 0.9, heat.x + 0.2 * at.middle.x + 0.15 * at.fine.x);  // boiled away
   if (blood.x + blood.y > 0.0) {
     t.albedo = underBlood(t.albedo, blood);
     float covered = smoothstep(0.06, 0.5, blood.x), clot = smoothstep(0.05, 0.3, blood.y - blood.x);

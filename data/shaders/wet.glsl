@@ -42,6 +42,8 @@ vec3 wetTissue(Tissue t, vec3 n0, float bend, Surroundings around, vec3 eyePosit
   vec3 diffuse = 1.55 * eh * softH + 1.05 * e0 * (soft0 * max(vec3(lit), crossed) + behind) +
                  0.28 * e1 * soft1 * hidden * (0.1 + 0.9 * open) +
                  0.42 * ambientLight(n) * hidden * open;
+  // Some light comes through the tissue to every place: no border is black.
+  diffuse += vec3(0.060, 0.030, 0.026);
   vec3 color = t.albedo * diffuse;
 
   // The film mirrors the cloth below the horizon, above it one soft gradient.
@@ -50,8 +52,9 @@ vec3 wetTissue(Tissue t, vec3 n0, float bend, Surroundings around, vec3 eyePosit
   vec3 sky = mix(cloth, vec3(0.11, 0.12, 0.13) * open, smoothstep(-0.3, 0.6, r.y));
   float nv = max(dot(n, v), 0.0);
   color += min(fresnel(0.028, nv), 0.20) * sky * smoothstep(0.0, 0.25, dot(flat_, v));
-  // The lamps' sheen, very soft, and their glints where the film is thick enough.
+  // The lamps' sheen, soft, and their glints where the film is thick enough.
   color += 0.010 * e0 * lit * max(dot(n, l0), 0.0) * glossLobe(n, l0, v, 0.55);
+  color += 0.009 * e0 * lit * max(dot(flat_, l0), 0.0) * glossLobe(flat_, l0, v, 0.36);
   color += 0.010 * e1 * open * max(dot(n, l1), 0.0) * glossLobe(n, l1, v, 0.55);
   float rough = 0.15 + 1.5 * t.lost, third = 0.333;
   float fromMain = 0.014 * dot(e0, vec3(third)) * max(dot(film, l0), 0.0);

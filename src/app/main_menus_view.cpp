@@ -45,6 +45,7 @@ void MainWindow::makeViewMenu() {
       "The view as at the start, and all instruments into the tray; the organ stays as it is",
       [this] { bringEverythingBack(); });
   view->addSeparator();
+  addSoundItem(view, speaker_);
   laboratory_ = view->addAction("La&boratory");
   laboratory_->setShortcut(QKeySequence(Qt::Key_F2));
   laboratory_->setCheckable(true);

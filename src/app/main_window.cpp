@@ -145,6 +145,7 @@ void MainWindow::tick() {
   }
   instruments_->show(heldSaid_, tools.left());
   const LiveState& state = session_->state();
+  speaker_.follow(state, session_->toolModels(), tools.pedalling() ? tools.held() : -1);
   if (options_.reports && state.removed != removedSaid_) {
     removedSaid_ = state.removed;
     say("removed {}", removedSaid_);

@@ -8,6 +8,7 @@
 #include "app/exercise/exercise_list.h"
 #include "app/loading/operation_loader.h"
 #include "app/loading/organ_loader.h"
+#include "app/sound/speaker.h"
 #include "app/space_mouse.h"
 #include "app/window.h"
 #include "formats/video.h"
@@ -234,6 +235,7 @@ class MainWindow : public QMainWindow {
   std::int64_t replayUntil_ = -1;   // frame where the replay stops; -1: no replay
   std::unique_ptr<VideoWriter> video_;
   QSize videoSize_;
+  Speaker speaker_;
   qint64 panelsShown_ = 0, pictureTaken_ = 0;  // times, ms since 1970
   // The members whose names end in Said hold what was last reported to a script, or last shown.
   std::int64_t removedSaid_ = 0;    // number of removed particles

@@ -54,10 +54,6 @@ std::string fileName(const std::string& title) {
 
 Vec3 inBox(const Aabb& box, const Vec3& p) { return (p - box.min).cwiseQuotient(box.size()); }
 
-std::string modelOf(const ScenarioTool& tool) {
-  return std::filesystem::path(tool.model).stem().string();
-}
-
 // Gives the scenario's instruments the motions that those of the same models have in a recording.
 void takeMotions(Scenario& scenario, const std::filesystem::path& recording) {
   RecordingFile file = RecordingFile::open(recording);

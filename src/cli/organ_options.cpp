@@ -6,6 +6,7 @@
 
 #include "anatomy/structure_kind.h"
 #include "base/error.h"
+#include "base/text/file_stem.h"
 #include "cli/progress_bar.h"
 #include "cli/shared_options.h"
 #include "formats/labels/brought_organ.h"
@@ -56,9 +57,9 @@ void addGiven(OrganSource& source, const std::string& given) {
   std::string file = std::filesystem::exists(what) ? what : "";
   if (std::filesystem::is_directory(source.file))  // of files, each with a structure
     for (const auto& entry : std::filesystem::directory_iterator(source.file))
-      if (stemOf(entry.path().string()) == what) file = entry.path().string();
+      if (fileStem(entry.path().string()) == what) file = entry.path().string();
   if (!file.empty())
-    addStructure(source, *kind, stemOf(file), file, "");
+    addStructure(source, *kind, fileStem(file), file, "");
   else
     addStructure(source, *kind, isNumber ? word : what, "", what);
 }

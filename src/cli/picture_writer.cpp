@@ -35,8 +35,9 @@ struct PictureWriter::State {
         int height)
       : settings(wanted),
         frameRate(scenario.frameRate),
-        picture(width, height),
+        picture(width, height, wanted.quality),
         operation(scenario, simulation, double(width) / height) {
+    operation.room().setShadowResolution(wanted.quality.shadowTexels);
     if (!settings.video.empty()) video.emplace(settings.video, width, height, settings.rate);
     if (!settings.folder.empty() && settings.overwrite)
       removeNumberedFiles(framesIn(settings.folder));

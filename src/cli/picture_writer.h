@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "inventor/picture/picture_quality.h"
 #include "io/output/run_files.h"
 #include "operation/scenario.h"
 #include "simulation/simulation.h"
@@ -16,6 +17,7 @@ struct PictureSettings {
   std::string video;   // name of an .mp4 file; "": no video
   std::string size;    // size in pixels, such as "1280x720"
   double rate = 10;    // pictures per simulated second
+  PictureQuality quality;
   // Whether numbered pictures that are already in the folder are removed before the first new one
   // is written.
   bool overwrite = false;

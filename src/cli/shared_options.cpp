@@ -17,6 +17,7 @@ void PictureOptions::check() const {
   if (!view.empty() && !roomView(view))
     throw usageError("--view is \"{}\"; choose {}", view, kRoomViewNames);
   requireSetting(setting);
+  requireQuality(quality);
   if (!std::isfinite(rate))
     throw usageError("--picture-rate is not a number; give pictures per second, 0.01 to 1000");
   if (!video.empty()) checkVideoFile(video);
@@ -30,12 +31,27 @@ void PictureOptions::applyTo(Scenario& scenario) const {
 }
 
 PictureSettings settingsOf(const PictureOptions& options, bool overwrite) {
-  return {options.frames, options.video, options.size, options.rate, overwrite};
+  return {
+      options.frames, options.video, options.size, options.rate, requireQuality(options.quality),
+      overwrite};
 }
 
 void requireSetting(const std::string& setting) {
   if (!setting.empty() && !isSetting(setting))
     throw usageError("--setting is \"{}\"; choose {}", setting, kSettingNames);
+}
+
+PictureQuality requireQuality(const std::string& quality) {
+  const std::optional<PictureQuality> known = pictureQuality(quality);
+  if (!known) throw usageError("--quality is \"{}\"; choose {}", quality, kQualityNames);
+  return *known;
+}
+
+void addQualityOption(Command command, std::string& quality) {
+  command
+      .option("--quality", quality,
+              fmt::format("How carefully pictures are drawn: {}", kQualityNames))
+      .showDefault();
 }
 
 void addSettingOption(Command command, std::string& setting) {
@@ -50,6 +66,7 @@ void addPictureOptions(Command command, PictureOptions& options) {
       .range(0.01, 1000.0)
       .showDefault();
   command.option("--size", options.size, "Width and height of the pictures, pixels").showDefault();
+  addQualityOption(command, options.quality);
   command.option("--view", options.view, fmt::format("Camera: {}", kRoomViewNames));
   addSettingOption(command, options.setting);
 }

@@ -18,12 +18,12 @@ struct PictureOptions {
   // frames: folder for numbered pictures; "": no numbered pictures. video: video file; "": no
   // video.
   std::string frames, video;
-  std::string size = "1280x720", view, setting;
+  std::string size = "1280x720", view, setting, quality = "window";
   double rate = 10;  // pictures per simulated second
 
   bool wanted() const { return !frames.empty() || !video.empty(); }
-  // Throws a usage Error if the size, the view, the rate or the name of the video is invalid. To be
-  // called before long work.
+  // Throws a usage Error if the size, the quality, the view, the rate or the name of the video is
+  // invalid. To be called before long work.
   void check() const;
   // Replaces the scenario's view and setting by the view and the setting that the user asked for.
   void applyTo(Scenario& scenario) const;
@@ -32,9 +32,14 @@ struct PictureOptions {
 // Converts the options to the settings of a PictureWriter. overwrite: PictureSettings::overwrite.
 PictureSettings settingsOf(const PictureOptions& options, bool overwrite);
 
-// Adds --frames, --video, --picture-rate, --size, --view and --setting. The options must live as
-// long as the command.
+// Adds --frames, --video, --picture-rate, --size, --quality, --view and --setting. The options must
+// live as long as the command.
 void addPictureOptions(Command command, PictureOptions& options);
+
+// Adds --quality, one of kQualityNames (inventor/picture/picture_quality.h).
+void addQualityOption(Command command, std::string& quality);
+// Throws a usage Error unless `quality` is one of these names.
+PictureQuality requireQuality(const std::string& quality);
 
 // Adds --setting, one of kSettingNames (operation/scenario.h).
 void addSettingOption(Command command, std::string& setting);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "base/error.h"
+#include "base/text/file_stem.h"
 
 namespace resect {
 
@@ -44,9 +46,8 @@ void keepFirstOrgan(Scenario& scenario) {
   scenario.joints.clear();
 }
 
-std::string titleOf(const OrganSource& source) {
-  const std::string name = std::filesystem::path(source.file).filename().string();
-  return name.substr(0, name.find('.', 1));
+std::string modelOf(const ScenarioTool& tool) {
+  return std::filesystem::path(tool.model).stem().string();
 }
 
 void replaceOrgans(Scenario& scenario, const OrganSource& source) {
@@ -54,7 +55,7 @@ void replaceOrgans(Scenario& scenario, const OrganSource& source) {
   ScenarioOrgan& organ = scenario.organs[0];
   const OrganSource before = organ.source;
   if (source.file != before.file) {  // what was said of the other organ, and where it was looked at
-    scenario.title = titleOf(source);
+    scenario.title = fileStem(source.file);
     scenario.description.clear();
     scenario.closeUp.reset();
     scenario.setting = "table";  // the field was made for a liver

@@ -263,16 +263,17 @@ constexpr const char* kSettingNames = "table or field";
 bool isSetting(std::string_view name);
 // Whether pictures show the opened abdomen. In thesis mode they always show the table.
 bool showsField(const Scenario& scenario);
+// The name of the tool's description file without folder and extension, such as "scalpel" for
+// "tools/scalpel.toml". Tasks name instruments so.
+std::string modelOf(const ScenarioTool& tool);
 // Removes all organs but the first, and all joints.
 void keepFirstOrgan(Scenario& scenario);
-// The name of the organ's file without folder and endings, such as "liver" for
-// "/scans/liver.nii.gz".
-std::string titleOf(const OrganSource& source);
 // Replaces all organs by one. The new organ gets the name and the tissue of the first organ. If
 // source.onTable, it also gets the first organ's position. It does not get the materials of labels.
 // It gets only those attachments whose regions are given in fractions of the organ's box. If the
 // new organ comes from another file than the first organ, the scenario changes: its title becomes
-// titleOf(), its setting becomes "table", and its description and close-up are removed.
+// the name of that file (base/text/file_stem.h), its setting becomes "table", and its description
+// and close-up are removed.
 void replaceOrgans(Scenario& scenario, const OrganSource& source);
 // Sets the spacing of the first organ, m, and removes its dims. Scales the spacings of the other
 // organs in proportion; an organ with dims keeps its dims. before: the first organ's spacing until

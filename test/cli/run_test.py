@@ -244,6 +244,7 @@ class Complaints(unittest.TestCase):
     def test_a_wrong_argument_gives_one_sentence_and_status_2(self):
         for args in (["run", "cut", "--spacing", "5 parsec"], ["run", "cut", "--dims", "0"], ["nonsense"],
                      ["run", "cut", "--view", "cellar"], ["run", "cut", "--size", "1x1"],
+                     ["run", "cut", "--quality", "best"], ["render", "liver.obj", "--quality", "", "-o", "liver.png"],
                      ["run", "cut", "--picture-rate", "nan"], ["surface", "liver.dis", "--iso", "abc", "-o", "a.obj"],
                      ["render", "liver.obj", "-o", "liver.jpg"]):
             done = resect(*args)

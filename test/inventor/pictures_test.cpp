@@ -88,6 +88,32 @@ TEST_CASE("the organ is reddish, the table is not, and the corners are not empty
   CHECK(table[0] < 1.3 * table[1]);
 }
 
+TEST_CASE("the more careful a picture is drawn, the nearer it is to one of very many samples") {
+  BallOnTable scene;
+  const auto drawn = [&](PictureQuality quality) {
+    quality.shadowTexels = 1024;  // the shadow is not what is compared
+    OffscreenView view(kWidth, kHeight, quality);
+    CHECK(view.width() == kWidth);
+    return view.render(scene.room.root());
+  };
+  const RgbImage best = drawn({.samples = 4, .enlarged = 4});
+  const auto error = [&](const char* quality) {
+    const RgbImage image = drawn(pictureQuality(quality).value());
+    REQUIRE(image.pixels.size() == best.pixels.size());
+    double sum = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+      sum += std::pow(double(image.pixels[i]) - double(best.pixels[i]), 2);
+    return std::sqrt(sum / double(image.pixels.size()));
+  };
+  const double draft = error("draft"), window = error("window"), film = error("film");
+  INFO(fmt::format("draft {:.2f}, window {:.2f}, film {:.2f} of 255", draft, window, film));
+  CHECK(window < 0.8 * draft);
+  CHECK(film < 0.7 * window);
+  CHECK_FALSE(pictureQuality("best"));
+  CHECK_THROWS_WITH_AS(OffscreenView(5000, 100, pictureQuality("film").value()),
+                       doctest::Contains("choose 16 to 4096 each way"), Error);
+}
+
 TEST_CASE("cut tissue differs from the capsule at one glance") {
   BallOnTable scene;
   OffscreenView view(kWidth, kHeight);

@@ -62,7 +62,7 @@ std::vector<std::uint32_t> drawn(OperatingRoom& room) {
   return pixels;
 }
 
-// The data folder with another body of mark_rich.frag.
+// The data folder with another body of deferred/mark_rich.frag.
 class OtherMarks {
  public:
   explicit OtherMarks(const char* body) {
@@ -71,7 +71,8 @@ class OtherMarks {
     if (const char* named = std::getenv("RESECT_DATA")) before_ = named;
     std::filesystem::copy(data / "shaders", folder_ / "shaders",
                           std::filesystem::copy_options::recursive);
-    std::ofstream(folder_ / "shaders" / "mark_rich.frag") << "void main() { " << body << " }\n";
+    std::ofstream(folder_ / "shaders" / "deferred" / "mark_rich.frag")
+        << "void main() { " << body << " }\n";
     setenv("RESECT_DATA", folder_.path().c_str(), 1);
   }
   ~OtherMarks() {

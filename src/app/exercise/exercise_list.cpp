@@ -53,7 +53,7 @@ Scenario asExercise(Scenario scenario) {
   if (!scenario.task || scenario.task->instruments.empty()) return scenario;
   const Task& task = *scenario.task;
   std::erase_if(scenario.tools, [&](const ScenarioTool& tool) {
-    const std::string model = std::filesystem::path(tool.model).stem().string();
+    const std::string model = modelOf(tool);
     return std::ranges::count(task.instruments, model) == 0 && model != task.goal.with &&
            model != task.goal.holdWith;
   });

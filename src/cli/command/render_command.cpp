@@ -36,7 +36,8 @@ namespace {
 
 struct Options {
   std::vector<std::string> models;
-  std::string out, size = "1280x720", view = "surgeon", part, unit = "m", pose = "lie";
+  std::string out, size = "1280x720", view = "surgeon", quality = "window", part, unit = "m",
+                   pose = "lie";
   bool noRoom = false, json = false;
 };
 
@@ -76,7 +77,9 @@ void render(const Options& options) {
   inputs.insert(inputs.end(), options.models.begin(), options.models.end());
   addFilesBeside(inputs);
   checkOutputs({{{"--output", options.out}, {"--json", options.json ? "-" : ""}}}, inputs);
-  OffscreenView picture(width, height);  // before reading, so that a missing EGL is reported first
+  const PictureQuality quality = requireQuality(options.quality);
+  // Before reading, so that a missing EGL is reported first.
+  OffscreenView picture(width, height, quality);
 
   std::vector<TriangleMesh> meshes;
   TriangleMesh all;
@@ -114,6 +117,7 @@ void render(const Options& options) {
   }
   const std::size_t triangles = all.triangles.size();
   const Aabb box = bounds(transformed(std::move(all), pose));
+  room.setShadowResolution(quality.shadowTexels);
   room.lightUp(box);
   room.look(*view, box, double(width) / height);
   writePng(options.out, picture.render(room.root()));
@@ -141,6 +145,7 @@ void addRenderCommand(Command app) {
       .required();
   command.option("-o,--output", options->out, "Picture to write (.png)").required();
   command.option("--size", options->size, "Width and height of the picture, pixels").showDefault();
+  addQualityOption(command, options->quality);
   command.option("--view", options->view, fmt::format("Camera: {}", kRoomViewNames)).showDefault();
   command
       .option("--pose", options->pose,

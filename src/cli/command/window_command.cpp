@@ -5,6 +5,7 @@
 #include "app/window.h"
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/text/file_stem.h"
 #include "cli/command/commands.h"
 #include "cli/organ_options.h"
 #include "cli/picture_writer.h"
@@ -43,7 +44,7 @@ void window(const Options& options, const OrganOptions& organOptions) {
     window.scenario.organs[0].source.spacing = 0.005;
   organOptions.applyTo(window.scenario, options.organ);
   if (options.scenario.empty() && !options.organ.empty()) {  // its words are about another organ
-    window.scenario.title = titleOf(window.scenario.organs[0].source);
+    window.scenario.title = fileStem(window.scenario.organs[0].source.file);
     window.scenario.description.clear();
   }
   requireSetting(options.setting);

@@ -6,6 +6,7 @@
 
 #include "base/crc32.h"
 #include "base/error.h"
+#include "base/text/file_stem.h"
 #include "base/text/shown_text.h"
 #include "formats/child/foreign_file.h"
 #include "formats/images/dicom_file.h"
@@ -145,7 +146,7 @@ std::vector<Found> structuresIn(const std::vector<std::string>& files, OrganSour
   std::vector<Found> all;
   std::vector<std::string> left;
   for (const std::string& file : files) {
-    const std::string stem = stemOf(file);
+    const std::string stem = fileStem(file);
     const bool wanted = lowerCase(stem) == lowerCase(source.part);
     const auto kind = kindOfFile(stem);
     if (wanted || kind)
@@ -236,7 +237,7 @@ bool isLabelled(const fs::path& path) {
 std::vector<FolderImage> imagesOf(const std::string& folder, std::vector<std::string>& notes) {
   std::vector<FolderImage> images;
   for (const std::string& file : imagesIn(folder, notes))
-    images.push_back({file, stemOf(file), kindOfFile(stemOf(file))});
+    images.push_back({file, fileStem(file), kindOfFile(fileStem(file))});
   return images;
 }
 
@@ -264,7 +265,7 @@ void takeFiles(OrganSource& source, const std::vector<std::string>& files) {
   const std::vector<Found> all = measured(std::move(named), source);
   if (all.empty()) {
     std::vector<std::string> stems;
-    for (const std::string& file : files) stems.push_back(stemOf(file));
+    for (const std::string& file : files) stems.push_back(fileStem(file));
     if (!first.empty())
       throw error("{}: nothing is labelled in it; choose another organ with --part: {}", first,
                   nameList(stems));

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "base/text/file_stem.h"
 #include "formats/child/foreign_reading.h"
 #include "formats/gzip.h"
 #include "formats/images/dicom_file.h"
@@ -100,7 +101,8 @@ LabelFacts factsOf(const std::string& path, const LabelImage& image) {
       });
   if (facts.guessed)
     for (ImageLabel& label : facts.labels) label.name = totalSegmentatorName(label.value);
-  if (facts.labels.size() == 1 && facts.labels[0].name.empty()) facts.labels[0].name = stemOf(path);
+  if (facts.labels.size() == 1 && facts.labels[0].name.empty())
+    facts.labels[0].name = fileStem(path);
   const Vec3i& n = image.dims;
   for (const RawArray<std::uint16_t>& layer : image.layers) {
     std::size_t i = 0;

@@ -5,6 +5,7 @@
 #include <ranges>
 
 #include "base/error.h"
+#include "base/text/file_stem.h"
 #include "base/text/shown_text.h"
 #include "formats/labels/enclosed_voxels.h"
 #include "formats/labels/label_names.h"
@@ -16,7 +17,7 @@ namespace {
 
 // The name of a label in its image.
 std::string nameIn(const std::string& path, const LabelImage& image, const ImageLabel& label) {
-  return image.labels.size() == 1 && label.name.empty() ? stemOf(path) : shownName(label);
+  return image.labels.size() == 1 && label.name.empty() ? fileStem(path) : shownName(label);
 }
 
 std::optional<std::int64_t> numberIn(const std::string& name) {
@@ -25,11 +26,6 @@ std::optional<std::int64_t> numberIn(const std::string& name) {
 }
 
 }  // namespace
-
-std::string stemOf(const std::string& path) {
-  std::string name = path.substr(path.find_last_of('/') + 1);
-  return name.substr(0, name.find('.', 1));
-}
 
 std::string nameList(const std::vector<std::string>& names, std::size_t most) {
   std::string list;

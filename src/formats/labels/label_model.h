@@ -37,7 +37,4 @@ std::string labelList(const LabelImage& image);
 Model labelModel(const std::string& path, const LabelImage& image, const std::string& parts,
                  const Progress& progress = {});
 
-// The name of a file without folder and extensions: "liver" for "/scans/liver.nii.gz".
-std::string stemOf(const std::string& path);
-
 }  // namespace resect

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "anatomy/structure_kind.h"
+#include "base/text/file_stem.h"
 #include "formats/labels/label_file.h"
 #include "formats/labels/label_model.h"
 #include "geometry/aabb.h"
@@ -131,7 +132,7 @@ RgbImage readLabelSlices(const std::vector<std::string>& files, int height) {
     const std::string answer = inImageReader(file, {}, [&](const LabelImage& image) {
       if (first) frame = sliceFrame(image);
       const std::vector<std::uint8_t> pixels =
-          labelSlices(image, frame, height, stemOf(file)).pixels;
+          labelSlices(image, frame, height, fileStem(file)).pixels;
       std::string bytes(sizeof frame, '\0');
       std::memcpy(bytes.data(), &frame, sizeof frame);
       return bytes.append(pixels.begin(), pixels.end());

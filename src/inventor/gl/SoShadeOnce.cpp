@@ -57,12 +57,14 @@ struct SoShadeOnce::ContextTextures {
   // At least this large.
   void make(int w, int h) {
     if (mark == 0) {
-      mark = makeProgram({"gathered.vert"}, {"noise.glsl", "blood.glsl", "mark_rich.frag"});
-      plain = makeProgram({"gathered.vert"}, {"plain.glsl", "light.glsl", "noise.glsl", "wet.glsl",
-                                              "liver.glsl", "gathered.frag"});
-      rich =
-          makeProgram({"gathered.vert"}, {"light.glsl", "noise.glsl", "blood.glsl", "vessels.glsl",
-                                          "wet.glsl", "liver.glsl", "gathered.frag"});
+      mark = makeProgram({"deferred/gathered.vert"},
+                         {"noise.glsl", "blood.glsl", "deferred/mark_rich.frag"});
+      plain = makeProgram({"deferred/gathered.vert"},
+                          {"deferred/plain.glsl", "light.glsl", "noise.glsl", "wet.glsl",
+                           "liver.glsl", "deferred/gathered.frag"});
+      rich = makeProgram({"deferred/gathered.vert"},
+                         {"light.glsl", "noise.glsl", "blood.glsl", "vessels.glsl", "wet.glsl",
+                          "liver.glsl", "deferred/gathered.frag"});
     }
     if (w <= width && h <= height) return;
     glPushAttrib(GL_TEXTURE_BIT);

@@ -4,14 +4,15 @@
 // A software renderer shades blocks of 4 x 4 pixels, triangle by triangle. Where triangles are as
 // small as pixels, it shades each pixel about ten times. With this group it shades each pixel once,
 // in two passes. The first pass draws the shapes into a G-buffer (Saito and Takahashi 1990): a
-// shader program (data/shaders/gather.frag) stores the inputs of the liver's shading in two
-// textures. Depths go to the picture's own depth buffer, and the organ's pixels are marked in its
-// stencil buffer. In the second pass, data/shaders/gathered.frag shades each marked pixel.
+// shader program (data/shaders/deferred/gather.frag) stores the inputs of the liver's shading in
+// two textures. Depths go to the picture's own depth buffer, and the organ's pixels are marked in
+// its stencil buffer. In the second pass, data/shaders/deferred/gathered.frag shades each marked
+// pixel.
 //
 // A software renderer also evaluates both sides of each branch. So the pixels of rich tissue (cut,
 // bloody, heated, or with a structure under the skin) are marked with a value of their own
-// (data/shaders/mark_rich.frag). All other pixels are shaded by a program without that code
-// (data/shaders/plain.glsl).
+// (data/shaders/deferred/mark_rich.frag). All other pixels are shaded by a program without that
+// code (data/shaders/deferred/plain.glsl).
 //
 // The group shades in this way if three conditions hold: a shader program is in use, the
 // framebuffer has one sample per pixel, and it has a renderbuffer for depth and stencil. In all

@@ -36,9 +36,11 @@ Stages stages(RoomMaterial material) {
               {"light.glsl", "noise.glsl", "rim.glsl", "blood.glsl", "vessels.glsl", "wet.glsl",
                "liver.glsl", "liver.frag"}};
     case RoomMaterial::Gather:
-      return {"organ.vert", {"noise.glsl", "rim.glsl", "gather.frag"}};
+      return {"organ.vert", {"noise.glsl", "rim.glsl", "deferred/gather.frag"}};
     case RoomMaterial::Steel:
       return {"surface.vert", {"light.glsl", "noise.glsl", "steel.frag"}};
+    case RoomMaterial::Strand:
+      return {"surface.vert", {"light.glsl", "noise.glsl", "wet.glsl", "strand.frag"}};
     case RoomMaterial::Cloth:
       return {"surface.vert", {"light.glsl", "noise.glsl", "cloth.frag"}};
     case RoomMaterial::Skin:

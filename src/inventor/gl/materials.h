@@ -17,6 +17,7 @@ enum class RoomMaterial {
   Liver,   // wet capsule and cut parenchyma, for SoOrganShape
   Gather,  // stores for each pixel the inputs of Liver's shading; for SoShadeOnce
   Steel,   // instruments; looks like plastic where the specular colour is dark
+  Strand,  // bare vessels: wet walls, smeared with blood
   Cloth,   // the drape on the table, and the drapes of the operative field
   // Still tissue of the operative field. Gut is the material of stomach and bowel.
   Skin,

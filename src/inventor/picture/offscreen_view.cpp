@@ -11,6 +11,7 @@
 #include <Inventor/nodes/SoNode.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string>
 
@@ -48,17 +49,41 @@ class ShaderComplaints {
   std::string text_;
 };
 
+// Each pixel is the mean of `times` x `times` pixels. Light is averaged and not its code in the
+// file: that is about the root of the light.
+RgbImage shrunk(const RgbImage& large, int times) {
+  RgbImage small{large.width / times, large.height / times, {}};
+  small.pixels.resize(std::size_t(3) * small.width * small.height);
+  for (int y = 0; y < small.height; ++y)
+    for (int x = 0; x < small.width; ++x)
+      for (int channel = 0; channel < 3; ++channel) {
+        double light = 0;
+        for (int j = 0; j < times; ++j)
+          for (int i = 0; i < times; ++i) {
+            const double code = large.at(times * x + i, times * y + j)[channel];
+            light += code * code;
+          }
+        small.pixels[std::size_t(3) * (std::size_t(y) * small.width + x) + channel] =
+            std::uint8_t(std::lround(std::sqrt(light / (times * times))));
+      }
+  return small;
+}
+
 }  // namespace
 
 struct OffscreenView::Buffers {
-  int width, height;
+  int width, height;  // of the buffers, enlarged
+  int enlarged;
   OffscreenContext context;
   GLuint drawBuffer = 0, readBuffer = 0, renderBuffers[3] = {};
   SoGLRenderAction action;
 
-  Buffers(int w, int h, int samples)
-      : width(w), height(h), action(SbViewportRegion(short(w), short(h))) {
-    makeBuffers(samples);
+  Buffers(int w, int h, const PictureQuality& quality)
+      : width(w * quality.enlarged),
+        height(h * quality.enlarged),
+        enlarged(quality.enlarged),
+        action(SbViewportRegion(short(width), short(height))) {
+    makeBuffers(quality.samples);
     action.setCacheContext(context.cacheContext());
   }
   ~Buffers() {
@@ -100,17 +125,18 @@ struct OffscreenView::Buffers {
   }
 };
 
-OffscreenView::OffscreenView(int width, int height, int samples) {
-  if (std::min(width, height) < 16 || std::max(width, height) > 8192)
-    throw usageError("a picture of {} x {} pixels is refused; choose 16 to 8192 each way", width,
-                     height);
-  buffers_ = std::make_unique<Buffers>(width, height, samples);
+OffscreenView::OffscreenView(int width, int height, const PictureQuality& quality) {
+  const int most = 8192 / quality.enlarged;
+  if (std::min(width, height) < 16 || std::max(width, height) > most)
+    throw usageError("a picture of {} x {} pixels is refused{}; choose 16 to {} each way", width,
+                     height, quality.enlarged > 1 ? " at this quality" : "", most);
+  buffers_ = std::make_unique<Buffers>(width, height, quality);
 }
 
 OffscreenView::~OffscreenView() = default;
 
-int OffscreenView::width() const { return buffers_->width; }
-int OffscreenView::height() const { return buffers_->height; }
+int OffscreenView::width() const { return buffers_->width / buffers_->enlarged; }
+int OffscreenView::height() const { return buffers_->height / buffers_->enlarged; }
 const char* OffscreenView::renderer() const { return buffers_->context.renderer(); }
 
 RgbImage OffscreenView::render(SoNode* scene) {
@@ -145,7 +171,7 @@ RgbImage OffscreenView::read() {
   RgbImage image{c.width, c.height, std::vector<std::uint8_t>(bottomUp.size())};
   for (int y = 0; y < c.height; ++y)
     std::memcpy(&image.pixels[row * y], &bottomUp[row * (c.height - 1 - y)], row);
-  return image;
+  return c.enlarged > 1 ? shrunk(image, c.enlarged) : image;
 }
 
 }  // namespace resect

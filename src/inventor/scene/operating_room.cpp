@@ -160,9 +160,11 @@ OperatingRoom::OperatingRoom() {
   root_->addChild(withMaterial(RoomMaterial::Steel, {toolbox_}));
   root_->addChild(tools_);
   bare_ = uncachedSeparator();
+  clips_ = uncachedSeparator();
   auto* notPickedEither = new SoPickStyle;
   notPickedEither->style = SoPickStyle::UNPICKABLE;
-  root_->addChild(withMaterial(RoomMaterial::Steel, {notPickedEither, bare_}));
+  root_->addChild(withMaterial(RoomMaterial::Strand, {notPickedEither, bare_}));
+  root_->addChild(withMaterial(RoomMaterial::Steel, {notPickedEither, clips_}));
   root_->addChild(pool_ = new SoBloodPool);
   root_->addChild(withMaterial(RoomMaterial::Cloth, {table_}));
   root_->addChild(field_ = uncachedSeparator());

@@ -201,7 +201,7 @@ class OperatingRoom {
   SoSeparator* field_;
   // The opened abdominal wall, and the abdominal wall as a laparoscope sees it.
   SoSwitch *fieldWall_, *fieldDome_;
-  SoSeparator* bare_;
+  SoSeparator *bare_, *clips_;
   SoBloodPool* pool_;
   SoCoordinate3* drops_;
   SoSeparator* toolbox_;

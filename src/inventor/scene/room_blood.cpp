@@ -23,23 +23,25 @@ void OperatingRoom::setLooseBlood(const LooseBlood* blood) {
 
 void OperatingRoom::setBareVessels(const BareVessels* vessels) {
   bare_->removeAllChildren();
+  clips_->removeAllChildren();
   if (!vessels) return;
-  // Colours as on a screen: portal vein, hepatic vein, artery, bile duct, what heat has sealed.
-  const std::array<Vec3f, kVesselKinds> kColours = {
-      Vec3f(0.80f, 0.58f, 0.55f), Vec3f(0.50f, 0.38f, 0.50f), Vec3f(0.88f, 0.60f, 0.52f),
-      Vec3f(0.72f, 0.70f, 0.40f)};
-  const auto add = [&](const TriangleMesh& mesh, const Finish& finish) {
+  const auto add = [](SoGroup* to, const TriangleMesh& mesh, const Finish& finish) {
     if (mesh.triangles.empty()) return;
     DrawnPart part;
     part.mesh = mesh;
     part.finish = finish;
     part.closed = true;
-    bare_->addChild(makePart(part));
+    to->addChild(makePart(part));
   };
+  // Colours as on a screen: portal vein in its sheath, hepatic vein, artery, bile duct.
+  const std::array<Vec3f, kVesselKinds> kColours = {
+      Vec3f(0.70f, 0.47f, 0.42f), Vec3f(0.45f, 0.24f, 0.30f), Vec3f(0.76f, 0.45f, 0.38f),
+      Vec3f(0.58f, 0.54f, 0.28f)};
   for (std::size_t kind = 0; kind < kColours.size(); ++kind)
-    add(vessels->tubes[kind], {kColours[kind], Vec3f::Constant(0.08f), 0.6f});
-  add(vessels->sealed, {Vec3f(0.62f, 0.52f, 0.42f), Vec3f::Constant(0.03f), 0.2f});
-  add(vessels->clips, {});
+    add(bare_, vessels->tubes[kind], {.diffuse = kColours[kind]});
+  add(bare_, vessels->mouths, {.diffuse = Vec3f(0.13f, 0.02f, 0.02f)});
+  add(bare_, vessels->sealed, {.diffuse = Vec3f(0.42f, 0.33f, 0.26f)});
+  add(clips_, vessels->clips, {});
 }
 
 }  // namespace resect

@@ -1,7 +1,6 @@
 #include "io/scenario/task_reader.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "operation/task/measure.h"
 
@@ -16,11 +15,6 @@ std::string listed(const List& all) {
   std::string names;
   for (const auto& one : all) names.append(names.empty() ? "" : ", ").append(wordOf(one));
   return names;
-}
-
-// The model's name of a scenario's tool: "scalpel" of "tools/scalpel.toml".
-std::string modelOf(const ScenarioTool& tool) {
-  return std::filesystem::path(tool.model).stem().string();
 }
 
 void requireTool(const TomlTable& t, const std::string& key, const std::string& name,

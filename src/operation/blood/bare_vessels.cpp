@@ -42,10 +42,48 @@ std::pair<Vec3, Vec3> across(const Vec3& way) {
   return {u, along.cross(u)};
 }
 
-void addTube(TriangleMesh& mesh, const Vec3& a, const Vec3& b, double radius) {
+// Appends a closed tube from a to b. Its ends are half balls, so that the pieces of a vessel join
+// smoothly; if cutA or cutB, this end is flat.
+void addTube(TriangleMesh& mesh, const Vec3& a, const Vec3& b, double radius, bool cutA = false,
+             bool cutB = false) {
   if ((b - a).norm() < 1e-5) return;
+  const Vec3 along = (b - a).normalized();
   const auto [u, v] = across(b - a);
-  addPrism(mesh, a, b, radius * u, radius * v, kSides);
+  const auto first = std::int32_t(mesh.points.size());
+  const auto addRing = [&](const Vec3& centre, double r) {
+    for (int i = 0; i < kSides; ++i) {
+      const double angle = 2 * std::numbers::pi * (i + 0.5) / kSides;
+      mesh.points.push_back(centre + r * (math::cos(angle) * u + math::sin(angle) * v));
+    }
+  };
+  // Rings of an end, from the equator to near the pole: distance from the end and radius, as shares
+  // of the tube's radius.
+  constexpr double kEnd[][2] = {{0, 1}, {0.5, 0.866}, {0.866, 0.5}};
+  const int ringsA = cutA ? 1 : int(std::size(kEnd)), ringsB = cutB ? 1 : int(std::size(kEnd));
+  for (int k = ringsA; k-- > 0;) addRing(a - kEnd[k][0] * radius * along, kEnd[k][1] * radius);
+  for (int k = 0; k < ringsB; ++k) addRing(b + kEnd[k][0] * radius * along, kEnd[k][1] * radius);
+  const int rings = ringsA + ringsB;
+  const auto poleA = std::int32_t(mesh.points.size()), poleB = poleA + 1;
+  mesh.points.push_back(cutA ? a : Vec3(a - radius * along));
+  mesh.points.push_back(cutB ? b : Vec3(b + radius * along));
+  for (int i = 0; i < kSides; ++i) {
+    const int next = (i + 1) % kSides;
+    mesh.triangles.push_back({poleA, first + next, first + i});
+    for (int k = 0; k + 1 < rings; ++k) {
+      const std::int32_t low = first + k * kSides, high = low + kSides;
+      mesh.triangles.push_back({low + i, low + next, high + i});
+      mesh.triangles.push_back({low + next, high + next, high + i});
+    }
+    const std::int32_t last = first + (rings - 1) * kSides;
+    mesh.triangles.push_back({poleB, last + i, last + next});
+  }
+}
+
+// The lumen at a cut end, a thin disc before the end's flat face. outwards: unit.
+void addMouth(TriangleMesh& mesh, const Vec3& end, const Vec3& outwards, double radius) {
+  constexpr double kThick = 0.05e-3;  // m
+  const auto [u, v] = across(outwards);
+  addPrism(mesh, end, end + kThick * outwards, radius * u, radius * v, kSides);
 }
 
 // Where a clip is on its vessel, if it is to be seen: on a bare vessel, or near an end.
@@ -73,8 +111,16 @@ void addOrgan(BareVessels& all, const OperatedOrgan& operated) {
       addTube(mesh, placed(s, 0), placed(s, 1), outside);
       continue;
     }
-    if (injury->from > gap) addTube(mesh, placed(s, 0), placed(s, injury->from - gap), outside);
-    if (injury->to < 1 - gap) addTube(mesh, placed(s, injury->to + gap), placed(s, 1), outside);
+    if (injury->from > gap) {
+      const Vec3 a = placed(s, 0), b = placed(s, injury->from - gap);
+      addTube(mesh, a, b, outside, false, true);
+      addMouth(all.mouths, b, (b - a).normalized(), s.radius);
+    }
+    if (injury->to < 1 - gap) {
+      const Vec3 a = placed(s, injury->to + gap), b = placed(s, 1);
+      addTube(mesh, a, b, outside, true, false);
+      addMouth(all.mouths, a, (a - b).normalized(), s.radius);
+    }
   }
   for (const VesselClip& clip : organ.vessels.clips) {
     if (!isSeen(organ, clip)) continue;
@@ -102,7 +148,7 @@ std::shared_ptr<const BareVessels> bareVessels(const Simulation& simulation) {
   for (const OperatedOrgan& o : simulation.organs()) addOrgan(*all, o);
   for (const TriangleMesh& mesh : all->tubes)
     for (const Vec3& p : mesh.points) all->box.grow(p);
-  for (const TriangleMesh* mesh : {&all->sealed, &all->clips})
+  for (const TriangleMesh* mesh : {&all->mouths, &all->sealed, &all->clips})
     for (const Vec3& p : mesh->points) all->box.grow(p);
   return all;
 }

@@ -11,10 +11,10 @@
 namespace resect {
 
 struct BareVessels {
-  // tubes: the bare vessels, one mesh per VesselKind. sealed: the parts of vessels that heat has
-  // sealed. All coordinates are in the world, m.
+  // tubes: walls of the bare vessels, one mesh per VesselKind. mouths: lumens that are seen at cut
+  // ends. sealed: the parts of vessels that heat has sealed. All coordinates are in the world, m.
   std::array<TriangleMesh, kVesselKinds> tubes;
-  TriangleMesh sealed, clips;
+  TriangleMesh mouths, sealed, clips;
   Aabb box;  // round all these meshes
 };
 

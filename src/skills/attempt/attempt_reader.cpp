@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "geometry/rotation.h"
 #include "operation/live/operation_events.h"
@@ -29,10 +28,8 @@ AttemptReader::AttemptReader(Attempt& attempt, const Scenario& scenario,
   attempt_.tissueMoves = simulation.moves();
   for (std::size_t t = 0; t < scenario.tools.size(); ++t) {
     const ToolModel& model = simulation.tools()[t].tool->model;
-    attempt_.instruments.push_back({model.name,
-                                    std::filesystem::path(scenario.tools[t].model).stem().string(),
-                                    model.axis.normalized(),
-                                    {}});
+    attempt_.instruments.push_back(
+        {model.name, modelOf(scenario.tools[t]), model.axis.normalized(), {}});
     rests_.push_back(scenario.tools[t].rest);
   }
   if (attempt_.task) goal_.emplace(attempt_.task->goal, scenario, simulation);
