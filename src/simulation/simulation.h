@@ -39,9 +39,6 @@ struct FrameInput {
   double duration = 1.0 / 60;    // s, 0 (nothing moves) to kLongestFrame
   std::vector<ToolInput> tools;  // one per tool, in the order of Simulation::tools
   std::optional<float> iso;      // if given: new iso level, valid from this frame on
-  // If given: from this frame on the patient breathes, or holds the breath (Breath::on). Has no
-  // effect if the simulation has no breathing.
-  std::optional<bool> breathes;
   // Edits from outside, such as those of a script. They are applied before the edits that working
   // parts queue in this frame. The working parts do not see the effect of these edits before the
   // next frame.
@@ -49,6 +46,9 @@ struct FrameInput {
   // Whether the user let go of the input device before this frame, which ends a stroke
   // (operation/live/strokes.h). No stage of the step reads this.
   bool strokeEnds = false;
+  // If given: from this frame on the patient breathes, or holds the breath (Breath::on). Has no
+  // effect if the simulation has no breathing.
+  std::optional<bool> breathes = {};
 };
 
 // A vessel segment that was cut, or cut further, in a frame.
