@@ -80,7 +80,9 @@ void MainWindow::makeViewMenu() {
   breathing_->setToolTip(
       "Whether the patient breathes; switched off, the breath is held when it has ended");
   connect(breathing_, &QAction::triggered, this, [this](bool on) {
-    if (session_) session_->operation().setBreathing(on);
+    if (!session_) return;
+    session_->operation().setBreathing(on);
+    if (options_.reports) say("breathing {}", on ? "on" : "off");
   });
   connect(view, &QMenu::aboutToShow, this, [this] {
     breathing_->setEnabled(session_ && session_->state().canBreathe);
