@@ -76,6 +76,19 @@ void MainWindow::makeViewMenu() {
     session_->showField(on);
     if (options_.reports) say("setting {}", on ? "field" : "table");
   });
+  breathing_ = view->addAction("B&reathing");
+  breathing_->setCheckable(true);
+  breathing_->setToolTip(
+      "Whether the patient breathes; switched off, the breath is held when it has ended");
+  connect(breathing_, &QAction::triggered, this, [this](bool on) {
+    if (!session_) return;
+    session_->operation().setBreathing(on);
+    if (options_.reports) say("breathing {}", on ? "on" : "off");
+  });
+  connect(view, &QMenu::aboutToShow, this, [this] {
+    breathing_->setEnabled(session_ && session_->state().canBreathe);
+    breathing_->setChecked(session_ && session_->state().breathes);
+  });
   thesis_ = view->addAction("Thesis &mode");
   thesis_->setCheckable(true);
   thesis_->setToolTip(

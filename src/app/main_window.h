@@ -191,7 +191,7 @@ class MainWindow : public QMainWindow {
   QLabel *recording_, *notRecorded_;
   QMenu *recent_, *recordings_;
   QAction *undo_, *redo_, *recordingOn_;
-  QAction *dark_, *field_, *laboratory_, *marks_, *scale_, *thesis_;
+  QAction *breathing_, *dark_, *field_, *laboratory_, *marks_, *scale_, *thesis_;
   HintBar* hint_;
   OperationPanel* operation_;
   QList<QDockWidget*> traineePanels_, laboratoryPanels_;

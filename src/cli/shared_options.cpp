@@ -8,6 +8,8 @@
 #include "formats/video.h"
 #include "inventor/scene/operating_room.h"
 #include "io/model.h"
+#include "io/scenario/length.h"
+#include "operation/setting_ranges.h"
 
 namespace resect {
 
@@ -69,6 +71,21 @@ void addPictureOptions(Command command, PictureOptions& options) {
   addQualityOption(command, options.quality);
   command.option("--view", options.view, fmt::format("Camera: {}", kRoomViewNames));
   addSettingOption(command, options.setting);
+}
+
+void addBreathingOption(Command command, std::string& depth) {
+  command.option(
+      "--breathing", depth,
+      "How far breathing moves the organs, as 10mm; 0mm: not at all. Needs elastic tissue");
+}
+
+void setBreathing(Scenario& scenario, const std::string& depth) {
+  if (depth.empty()) return;
+  const double metres = parseLength(depth, "--breathing");
+  if (!ranges::kBreathDepth.holds(metres))
+    throw usageError("--breathing is {}; give a length from {} to {}", depth,
+                     lengthText(ranges::kBreathDepth.low), lengthText(ranges::kBreathDepth.high));
+  setBreathing(scenario, metres);
 }
 
 void addThreadsOption(Command command, int& threads) {

@@ -46,6 +46,11 @@ void addSettingOption(Command command, std::string& setting);
 // Throws a usage Error unless `setting` is empty or one of these names.
 void requireSetting(const std::string& setting);
 
+// Adds --breathing, a length as text. setBreathing() applies it to the scenario, if it was given;
+// it throws a usage Error if it is no length, out of range, or no tissue moves.
+void addBreathingOption(Command command, std::string& depth);
+void setBreathing(Scenario& scenario, const std::string& depth);
+
 // Adds --threads, 0 to 1024.
 void addThreadsOption(Command command, int& threads);
 

@@ -354,6 +354,7 @@ Simulation assemble(const Scenario& scenario, std::vector<OperatedOrgan> organs,
   for (std::size_t i = 0; i < organs.size() && i < scenario.organs.size(); ++i)
     makeWounds(scenario.organs[i].source.wounds, organs[i]);
   Simulation simulation(std::move(organs), std::move(tools), std::move(joints), scenario.table);
+  simulation.setBreathing(scenario.breathing);
   if (!scenario.toolBox || !simulation.moves()) return simulation;
   const TriangleMesh walls = toolBoxWalls();
   const Aabb tray = bounds(transformed(walls, toolBoxPose()));

@@ -228,7 +228,8 @@ struct Scenario {
   double frameRate = 60;  // frames per simulated second, 1 to 1000
   double duration = 1;    // simulated time of a run, s
   // s: if given, the run ends this long after the last key of any tool; see endAfterKeys().
-  std::optional<double> after = {};   // not kept in recordings
+  std::optional<double> after = {};  // not kept in recordings
+  Breathing breathing;
   bool table = true, toolBox = true;  // whether the room has a table, and a tool box
   // The surroundings of the organs in pictures: "table", or "field" for an opened abdomen. The
   // surroundings have no effect on the simulation. A recording keeps this word as text.
@@ -244,7 +245,7 @@ struct Scenario {
     v("name", name), v("title", title), v("description", description), v("mode", mode);
     v("organs", organs), v("joints", joints), v("tools", tools), v("frameRate", frameRate);
     v("duration", duration), v("table", table), v("toolBox", toolBox), v("view", view);
-    v("closeUp", closeUp);
+    v("closeUp", closeUp), v("breathing", breathing);
   }
 };
 
@@ -255,6 +256,12 @@ void requireSound(const OrganSource& source);
 void requireSound(const TissueSetup& tissue);
 void requireSound(const Scenario& scenario);
 
+// Sets the depth of breathing, m, for a user who asks for it. Throws Error if the depth is out of
+// range, or if no tissue moves.
+void setBreathing(Scenario& scenario, double depth);
+// If the scenario's tissue moves but the patient is still: lets the patient breathe as usual, but
+// hold the breath until FrameInput::breathes says otherwise.
+void offerBreathing(Scenario& scenario);
 // Whether any tissue moves.
 bool moves(const Scenario& scenario);
 // kSettingNames: the values of Scenario::setting, for messages. isSetting(): whether a word is one

@@ -149,7 +149,25 @@ void requireSound(const Scenario& scenario) {
     within(joint.reach, ranges::kJointReach, "the reach " + name, " m");
     within(joint.stiffness, ranges::kSpringStiffness, "the stiffness " + name, " N/m");
   }
+  within(scenario.breathing.depth, ranges::kBreathDepth, "the depth of breathing", " m");
+  within(scenario.breathing.perMinute, ranges::kBreathRate, "the rate of breathing", " a minute");
+  within(scenario.breathing.bed, ranges::kBed, "the share of the bed in breathing", "");
   for (const ScenarioTool& tool : scenario.tools) requireSound(tool);
+}
+
+void setBreathing(Scenario& scenario, double depth) {
+  within(depth, ranges::kBreathDepth, "the depth of breathing", " m");
+  require(depth == 0 || moves(scenario),
+          "breathing moves elastic tissue, and that of \"{}\" is still; give a depth of 0, or set "
+          "model = \"elastic\" in [tissue]",
+          scenario.name);
+  scenario.breathing.depth = depth;
+}
+
+void offerBreathing(Scenario& scenario) {
+  if (scenario.breathing.depth > 0 || !moves(scenario)) return;
+  scenario.breathing.depth = ranges::kUsualDepth;
+  scenario.breathing.begins = false;
 }
 
 }  // namespace resect

@@ -17,11 +17,12 @@ namespace {
 
 // The stage of Simulation::step() that writes the fields below a path.
 std::string stageOf(const std::string& field) {
-  constexpr std::array<std::pair<const char*, const char*>, 4> kWriters{{
+  constexpr std::array<std::pair<const char*, const char*>, 5> kWriters{{
       {"tools", "moveTools"},
       {"organs.organ", "applyEdits"},
       {"organs.tissue", "moveTissue"},
       {"joints", "applyEdits"},
+      {"breath", "moveTissue"},
   }};
   for (const auto& [path, stage] : kWriters)
     if (field.starts_with(path)) return stage;

@@ -7,6 +7,7 @@
 // docs/step.md describes a step stage by stage.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -45,6 +46,9 @@ struct FrameInput {
   // Whether the user let go of the input device before this frame, which ends a stroke
   // (operation/live/strokes.h). No stage of the step reads this.
   bool strokeEnds = false;
+  // If given: from this frame on the patient breathes, or holds the breath (Breath::on). Has no
+  // effect if the simulation has no breathing.
+  std::optional<bool> breathes = {};
 };
 
 // A vessel segment that was cut, or cut further, in a frame.
@@ -122,6 +126,11 @@ class Simulation {
   // enter. shape: a closed mesh. Call before the first step. Has no effect if no tissue moves.
   void addObstacle(const TriangleMesh& shape, const Pose& pose);
 
+  // Lets the patient breathe: whatever holds moving tissue, and the table under it, then move. Call
+  // before the first step. Has no effect if the depth is 0 or if no tissue moves. Throws Error if a
+  // value is out of range.
+  void setBreathing(const Breathing& breathing);
+
   // Computes one frame. If `clock` is given, it gets the time of each stage under the stage's name.
   // In the following cases step() throws Error and changes nothing:
   //
@@ -142,6 +151,9 @@ class Simulation {
   double time() const { return time_; }
   std::int64_t frame() const { return frame_; }
   bool moves() const;  // whether the tissue of any organ moves
+  // How the patient breathes, and the present breath. No breathing: the depth is 0.
+  const Breathing& breathing() const { return breathing_; }
+  const Breath& breath() const { return breath_; }
 
   // Shortcuts for simulations with one organ: data of the first organ.
   const Organ& organ() const { return organs_[0].organ; }
@@ -183,10 +195,13 @@ class Simulation {
     v("frame", frame_), v("time", time_);
     v.fixed("organs", organs_), v.fixed("tools", tools_), v("joints", joints_);
     v("blood", blood_);
+    if (breathing_.depth > 0) v("breath", breath_);
   }
   template <class Visitor>
   void visitMade(Visitor& v) {
     v.made(table_, keepsLook_, shapes_, standingShapes_, standingPoses_, joined_, work_);
+    v.made(breathing_);
+    if (!(breathing_.depth > 0)) v.made(breath_);
   }
 
  private:
@@ -201,6 +216,8 @@ class Simulation {
     std::vector<std::vector<CuttingEdge>> edges;               // per tool
     std::vector<std::vector<Obstacle>> obstacles;              // per organ
     std::vector<MovingTissue> moving;
+    // How far breathing displaces the table at the start and at the end of the frame, m.
+    std::array<Vec3, 2> table{Vec3::Zero(), Vec3::Zero()};
   };
 
   void requireSound(const FrameInput& input) const;
@@ -211,6 +228,7 @@ class Simulation {
   void applyEdits(StepReport& report);
   void moveTissue(const FrameInput& input, StepReport& report);
   void listMoving(const FrameInput& input, StepReport& report);
+  void moveHolds(const FrameInput& input);
   void applyCuts(StepReport& report);
   void updateField(StepReport& report);
   void updateSurface(const FrameInput& input);
@@ -229,11 +247,13 @@ class Simulation {
   std::vector<ToolState> tools_;
   std::vector<TissueJoint> joints_;
   Bleeding blood_;
+  Breath breath_;
   double time_ = 0;
   std::int64_t frame_ = 0;
 
   // Set up once, or derived from the state.
   bool table_, keepsLook_ = false;
+  Breathing breathing_;
   std::vector<std::unique_ptr<SignedDistance>> shapes_;  // per tool; empty if no tissue moves
   std::vector<std::unique_ptr<SignedDistance>> standingShapes_;  // from addObstacle()
   std::vector<Pose> standingPoses_;

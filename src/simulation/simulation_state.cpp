@@ -46,6 +46,8 @@ void Simulation::load(const SavedState& state) {
       if (!isFinite(at->pose))
         throw error("the pose of tool \"{}\" in the state is not a number; give it as it was saved",
                     tool.tool->model.name);
+  if (!(breath_.phase >= 0 && breath_.phase < 1))
+    throw error("the state is at {} of a breath; give a share from 0 to below 1", breath_.phase);
   for (OperatedOrgan& o : organs_) remake(o, keepsLook_);
   blood_.remake(organs_);
 }

@@ -26,10 +26,13 @@ struct Obstacle {
   std::span<const CuttingEdge> edges{};  // cutting edges of the instrument; empty: it does not cut
 };
 
-// The table's top at y = 0.
-inline Obstacle tableTop() {
+// The table's top at y = 0. from, to: how far it is displaced at the start and at the end of the
+// frame, m.
+inline Obstacle tableTop(const Vec3& from = Vec3::Zero(), const Vec3& to = Vec3::Zero()) {
   Obstacle table;
   table.halfSpace = true;
+  table.from.position = from;
+  table.to.position = to;
   return table;
 }
 

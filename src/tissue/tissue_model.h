@@ -12,6 +12,7 @@
 #include "base/state/state_visitor.h"
 #include "geometry/aabb.h"
 #include "geometry/pose.h"
+#include "tissue/breathing.h"
 #include "tissue/cord.h"
 #include "tissue/material.h"
 #include "tissue/obstacle.h"
@@ -73,6 +74,11 @@ class TissueModel {
   // ignores cords whose cells hold no tissue. Cords are not part of the state: after a state was
   // restored, they must be set again. A model may ignore all cords.
   virtual void setCords(std::span<const TissueCord>) {}
+
+  // Moves what the tissue is held by, such as its ligaments, in the next frame. Displacements are
+  // relative to the places of attachment at rest. Call before beginFrame(), in every frame in which
+  // the holds are moved or displaced. A model may ignore the call.
+  virtual void moveHolds(const BreathMotion&) {}
 
   // A frame lasts `duration` s, > 0. It consists of one call of beginFrame(), one call of substep()
   // for each of several equal substeps, and one call of endFrame(). moveTissues()

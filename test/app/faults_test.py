@@ -82,6 +82,14 @@ class Faults(ScreenTest):
         self.screen.key("1")
         window.wait("held Scalpel guided", 20)
 
+    def test_breathing_is_in_the_view_menu(self):
+        window = self.opened("press", "--spacing", "12mm")
+        self.screen.key("alt+v", "r")
+        window.wait("breathing on", 20)
+        time.sleep(1)  # so that the menu shows what the operation does
+        self.screen.key("alt+v", "r")
+        window.wait("breathing off", 20)
+
     def test_the_size_is_what_it_says_and_no_text_is_cut(self):
         screen = Screen(FOLDER, 2732, 1536)
         self.addCleanup(screen.close)

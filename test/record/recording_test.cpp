@@ -129,6 +129,11 @@ TEST_CASE("inputs of frames come back from their bytes") {
     return frameToBytes(frameFromBytes(frameToBytes(input, last), last), last);
   };
   CHECK(again(before) == frameToBytes(input, before));
+  for (const std::optional<bool> breathes : {std::optional(true), std::optional(false), {}}) {
+    input.breathes = breathes;
+    CHECK(again(before) == frameToBytes(input, before));
+    CHECK(frameFromBytes(frameToBytes(input, before), before).breathes == breathes);
+  }
   before = input;
   before.tools[2].pedal = 0.5;
   CHECK(again(before) == frameToBytes(input, before));
@@ -160,6 +165,39 @@ TEST_CASE("a recording is replayed, moved to any frame and proved") {
     CHECK_THROWS_AS(replay.goTo(0, 101), Error);
     CHECK_THROWS_AS(replay.goTo(3, 1), Error);
   }
+}
+
+TEST_CASE("a breathing patient is recorded, held breath and all, and proved") {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path path = folder / "breathing.resect";
+  Scenario scenario = shipped("incise", 0.012);
+  setBreathing(scenario, 0.01);
+  {
+    Simulation simulation = makeSimulation(scenario, readPlainMesh);
+    Recorder recorder(path, scenario, simulation);
+    StepReport report;
+    for (int i = 0; i < 720; ++i) {
+      FrameInput input = frameInput(scenario, i % 200);
+      if (i == 100) input.breathes = false;
+      if (i == 400) input.breathes = true;
+      simulation.step(input, report);
+      if (i == 399) CHECK(simulation.breath().phase == 0);
+      recorder.record(input, report, simulation);
+    }
+    CHECK(simulation.breath().phase > 0.01);
+    recorder.stood({0, simulation.frame()}, simulation);
+    recorder.finish();
+  }
+  const Verification proof = verify(path);
+  CHECK(!proof.first);
+  CHECK(proof.frames == 720);
+  CHECK(proof.keyStates == 2);
+  Replay replay(path);
+  replay.goTo(0, 450);
+  CHECK(replay.setup().scenario.breathing.depth == 0.01);
+  CHECK(replay.simulation().breath().on);
+  replay.goTo(0, 250);
+  CHECK(!replay.simulation().breath().on);
 }
 
 TEST_CASE("branches begin where a stroke was taken back, and are proved too") {

@@ -197,6 +197,7 @@ void OrganLoader::load(const Scenario& scenario, std::function<void(double)> pro
   done_ = std::move(done);
   job_ = std::make_unique<Job>();
   job_->scenario = withInstruments(scenario);
+  if (!scenario.task) offerBreathing(job_->scenario);  // for View > Breathing
   job_->wanted = job_->scenario;
   toRead_.clear();
   for (ScenarioOrgan& organ : job_->wanted.organs) {

@@ -34,7 +34,7 @@ namespace resect {
 namespace {
 
 struct Options {
-  std::string scenario, organ, record, surface, pieces, plot, json;
+  std::string scenario, organ, breathing, record, surface, pieces, plot, json;
   PictureOptions pictures;
   int threads = 0;
   bool list = false, thesis = false, overwrite = false, strict = false;
@@ -93,6 +93,7 @@ void run(const Options& options, const OrganOptions& organOptions) {
   Scenario scenario = readScenario(findScenario(options.scenario));
   organOptions.applyTo(scenario, options.organ);
   options.pictures.applyTo(scenario);
+  setBreathing(scenario, options.breathing);
   if (options.thesis) {
     makeThesis(scenario);
     scenario.promises.clear();  // of instruments that act by their working parts
@@ -179,6 +180,7 @@ void addRunCommand(Command app) {
   command.flag("--strict", options->strict,
                "Exit status 1 if an instrument met no organ, or the title is not true of the run");
   auto organ = addOrganOptions(command);
+  addBreathingOption(command, options->breathing);
   addThreadsOption(command, options->threads);
   addPictureOptions(command, options->pictures);
   command.option("--surface", options->surface,

@@ -20,7 +20,7 @@ namespace {
 constexpr const char* kFirstScenario = "incise";  // of a window that is asked for no other
 
 struct Options {
-  std::string scenario, organ, setting, size = "1280x800";
+  std::string scenario, organ, breathing, setting, size = "1280x800";
   double fpsLimit = 60;
   int threads = 0, history = 512;
   bool thesis = false, light = false, dark = false, reports = false, exercises = false;
@@ -49,6 +49,7 @@ void window(const Options& options, const OrganOptions& organOptions) {
   }
   requireSetting(options.setting);
   if (!options.setting.empty()) window.scenario.setting = options.setting;
+  setBreathing(window.scenario, options.breathing);
   if (options.thesis) makeThesis(window.scenario);
   window.fpsLimit = options.fpsLimit;
   window.historyMemory = options.history;
@@ -85,6 +86,7 @@ void addWindowCommand(Command app) {
       .showDefault();
   command.option("--size", options->size, "Width and height of the window, pixels").showDefault();
   addSettingOption(command, options->setting);
+  addBreathingOption(command, options->breathing);
   command.flag("--thesis", options->thesis,
                "As the original system: tissue is still, instruments take out what they touch");
   const Option light = command.flag("--light", options->light, "Light colours");

@@ -121,6 +121,16 @@ TissueSetup readTissue(const TomlTable& t) {
   return tissue;
 }
 
+Breathing readBreathing(const TomlTable& t) {
+  Breathing breathing;
+  breathing.depth = t.length("depth", ranges::kBreathDepth.low, ranges::kBreathDepth.high);
+  breathing.perMinute = t.number("per_minute", ranges::kBreathRate, breathing.perMinute);
+  breathing.bed = t.number("bed", ranges::kBed, breathing.bed);
+  breathing.begins = t.flag("begins", breathing.begins);
+  t.refuseUnknownKeys();
+  return breathing;
+}
+
 ScenarioTool readScenarioTool(const TomlTable& t, int number,
                               const std::vector<ScenarioOrgan>& organs) {
   ScenarioTool tool;
@@ -239,6 +249,13 @@ Scenario toScenario(const TomlTable& t) {
     if (!(scenario.closeUp->size().maxCoeff() > 0)) t.complain("close_up", "has no size");
   }
   readOrgans(t, scenario);
+  if (const auto breathing = t.table("breathing")) {
+    scenario.breathing = readBreathing(*breathing);
+    if (scenario.breathing.depth > 0 && !moves(scenario))
+      breathing->complain("depth",
+                          "is above 0, and no organ is elastic; set model = \"elastic\" in "
+                          "[tissue], or a depth of 0");
+  }
   if (const auto room = t.table("room")) {
     scenario.table = room->flag("table", true);
     scenario.toolBox = room->flag("tool_box", true);

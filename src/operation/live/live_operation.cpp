@@ -71,6 +71,11 @@ void LiveOperation::setIso(float iso) {
   input_.iso = iso;
 }
 
+void LiveOperation::setBreathing(bool on) {
+  const std::lock_guard lock(mutex_);
+  input_.breathes = on;
+}
+
 void LiveOperation::setSight(std::vector<Sight> sight) {
   const std::lock_guard lock(mutex_);
   sight_ = std::move(sight);

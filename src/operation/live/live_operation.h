@@ -62,13 +62,15 @@ class LiveOperation {
   LiveOperation(const LiveOperation&) = delete;
   LiveOperation& operator=(const LiveOperation&) = delete;
 
-  // setTool() and setIso() take effect from the next frame on and may be called from any thread.
+  // setTool(), setIso() and setBreathing() take effect from the next frame on and may be called
+  // from any thread.
   // The jaws of the tool move no faster than a hand moves them (hand_speed.h). motion: if given,
   // the tool moves to the pose of `input` over several frames, as a hand would move it. Otherwise
   // the tool has this pose at the end of the next frame. LiveState::poses has the present poses of
   // the tools.
   void setTool(int tool, const ToolInput& input, std::optional<HandMotion> motion = {});
   void setIso(float iso);
+  void setBreathing(bool on);  // as FrameInput::breathes
   // Sets whether the user sees the tips of the tools, one entry per tool. Takes effect from the
   // next frame on. Recordings keep these entries (sight.h).
   void setSight(std::vector<Sight> sight);

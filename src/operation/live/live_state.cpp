@@ -51,6 +51,8 @@ void noteStep(LiveState& state, const Simulation& simulation, const StepReport& 
   state.iso = simulation.organ().iso;
   noteBlood(state, simulation, report);
   state.moves = simulation.moves();
+  state.canBreathe = simulation.breathing().depth > 0;
+  state.breathes = state.canBreathe && simulation.breath().on;
   for (const std::string& fault : report.faults)
     if (std::ranges::find(state.faults, fault) == state.faults.end()) state.faults.push_back(fault);
 

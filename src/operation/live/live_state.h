@@ -29,6 +29,8 @@ struct LiveState {
   double removedVolume = 0, volume = 0;  // m^3, of the removed tissue and of the tissue left
   float iso = 50;                        // iso level of the first organ
   bool moves = false;                    // whether any tissue is elastic
+  bool canBreathe = false;               // whether the simulation has breathing
+  bool breathes = false;                 // whether it goes on (Breath::on)
   std::vector<std::string> faults;       // those since the last LiveOperation::take(), each once
   // The tools' inputs while a motion plays or a moment of the history is shown. Otherwise empty:
   // the hand moves the tools (LiveOperation::setTool()).

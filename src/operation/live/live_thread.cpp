@@ -47,6 +47,7 @@ std::optional<LiveOperation::Task> LiveOperation::nextTask(
   task.motions = motions_;
   task.sight = sight_;
   input_.iso.reset();
+  input_.breathes.reset();
   input_.strokeEnds = false;
   if (const auto next = motion_ ? motion_() : std::nullopt) {
     task.input.tools = next->tools;

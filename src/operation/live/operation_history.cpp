@@ -24,7 +24,7 @@ bool same(const ToolInput& a, const ToolInput& b) {
 
 bool same(const FrameInput& a, const FrameInput& b) {
   return a.duration == b.duration && a.iso == b.iso && a.strokeEnds == b.strokeEnds &&
-         a.edits.empty() && b.edits.empty() &&
+         a.breathes == b.breathes && a.edits.empty() && b.edits.empty() &&
          std::ranges::equal(a.tools, b.tools,
                             [](const ToolInput& x, const ToolInput& y) { return same(x, y); });
 }

@@ -185,13 +185,23 @@ EditKind editKind(std::size_t number) {
   }
 }
 
+// Bits of a byte that says what a frame's input sets. Recordings from before there was breathing
+// have 0 or 1 here.
+enum : std::uint8_t { kSetsIso = 1, kStopsBreathing = 2, kStartsBreathing = 4 };
+
+std::uint8_t settingsOf(const FrameInput& input) {
+  std::uint8_t bits = input.iso ? kSetsIso : 0;
+  if (input.breathes) bits |= *input.breathes ? kStartsBreathing : kStopsBreathing;
+  return bits;
+}
+
 }  // namespace
 
 Bytes frameToBytes(const FrameInput& input, const FrameInput& before) {
   Bytes bytes;
   Writer to(bytes);
   to.plain(input.duration);
-  to.plain(std::uint8_t(input.strokeEnds)), to.plain(std::uint8_t(input.iso.has_value()));
+  to.plain(std::uint8_t(input.strokeEnds)), to.plain(settingsOf(input));
   if (input.iso) to.plain(*input.iso);
   to.count(input.tools.size());
   for (std::size_t i = 0; i < input.tools.size(); ++i) {
@@ -216,7 +226,11 @@ FrameInput frameFromBytes(std::span<const std::byte> bytes, const FrameInput& be
   FrameInput input;
   input.duration = from.plain<double>();
   input.strokeEnds = from.flag();
-  if (from.flag()) input.iso = from.plain<float>();
+  const auto settings = from.plain<std::uint8_t>();
+  if (settings > (kSetsIso | kStartsBreathing)) damaged();
+  if (settings & (kStopsBreathing | kStartsBreathing))
+    input.breathes = (settings & kStartsBreathing) != 0;
+  if (settings & kSetsIso) input.iso = from.plain<float>();
   const std::uint64_t tools = from.count(1);
   if (tools > kMostTools) damaged();
   for (std::size_t i = 0; i < tools; ++i) {

@@ -214,6 +214,23 @@ void ElasticTissue::hold(std::int64_t cell, int axes, const Vec3& velocity) {
     if (axes >> a & 1) state_.v[a][i] = float(velocity[a]);
 }
 
+// Prescribes the velocities of held cells for a substep from the time `before` to the time `after`,
+// as shares of the frame. The holds' own motion, and what a held cell lags behind them: rounding,
+// or a frame in which the tissue was stopped. At the end of the frame the cell is where its hold
+// is.
+void ElasticTissue::carryHeld(double before, double after, double dt) {
+  const Vec3 start = holdsMove_->displacement(before);
+  const Vec3 speed = (holdsMove_->displacement(after) - start) / dt;
+  const double left = holdsMove_->duration * (1 - before);
+  for (const TissueChunk& chunk : state_.chunks) {
+    if (!chunk.steered) continue;
+    for (std::int32_t i = chunk.start; i < chunk.start + kChunk; ++i)
+      for (int a = 0; a < 3; ++a)
+        if (state_.held[i] >> a & 1)
+          state_.v[a][i] = float(speed[a] + (start[a] - double(state_.u[a][i])) / left);
+  }
+}
+
 void ElasticTissue::setLoad(std::int64_t cell, const Vec3& force) {
   const std::int32_t i = state_.box.fromLattice(cell);
   if (!state_.solid[i]) return;

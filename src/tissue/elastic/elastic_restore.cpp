@@ -22,13 +22,14 @@ void ElasticTissue::visitMade(StateVisitor& v) {
   springs_.visitMade(v);
   fronts_.visitMade(v);
   v.made(lattice_, settings_, kernel_, longestSubstep_, uneven_, cords_, gripper_);
-  v.made(bondsChanged_, holdsChanged_, frame_, before_, kept_);
+  v.made(bondsChanged_, holdsChanged_, frame_, holdsMove_, before_, kept_);
 }
 
 void ElasticTissue::beginRestore() {
   // After a state that did not fit, the derived data still belong to the cells kept before it.
   if (!before_.solid.empty()) return;
   settle();
+  holdsMove_.reset();
   contacts_.forgetObstacles();
   before_ = {state_.solid,  state_.material,    state_.held,
              state_.loaded, state_.capsuleTorn, state_.bonds};

@@ -182,7 +182,10 @@ bool ElasticTissue::substep(int number, int count) {
   c.relaxTime = float(dt * std::min(kSubstepsPerRelaxation, count - number + 1));
   const StiffCells stiff = stressPass(c);
   if (c.relaxes) frame_.stiff = stiff;
-  springs_.pull(state_, lattice_.origin, frame_.obstacles, share, frame_.duration, dt);
+  const BreathMotion still;
+  springs_.pull(state_, lattice_.origin, frame_.obstacles, holdsMove_.value_or(still), share,
+                frame_.duration, dt);
+  if (holdsMove_) carryHeld(double(number - 1) / count, share, dt);
   ++frame_.substeps;
   const bool calm = motionPass(frame_.constants);
   clearPulls();
@@ -228,6 +231,7 @@ void ElasticTissue::endFrame(TissueStep& step) {
   if (frame_.calm) chooseFineness();
   if (frame_.calm) tearCapsule(state_, *kernel_);
   frame_.obstacles = {};
+  holdsMove_.reset();
 }
 
 void ElasticTissue::touchOf(std::int32_t tool, TissueTouch& touch) const {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -86,6 +87,7 @@ class ElasticTissue final : public TissueModel {
 
   void setSurface(std::span<const SurfacePatch> patches) override;
   void setCords(std::span<const TissueCord> cords) override;
+  void moveHolds(const BreathMotion& motion) override { holdsMove_ = motion; }
   // The computation of a frame, as in tissue/tissue_model.h. If the tissue explodes, it is restored
   // to the beginning of the frame, and the frame is repeated with substeps of half the length.
   void beginFrame(double duration, std::span<const Obstacle> obstacles) override;
@@ -106,7 +108,7 @@ class ElasticTissue final : public TissueModel {
   const TissueMaterial* material(std::int64_t cell) const override;
   void setMaterial(std::int64_t cell, const TissueMaterial& material) override;
   // Prescribes the velocity of the cell, m/s, along some axes. axes: bits of HeldAxis. If `axes` is
-  // 0, the cell is released.
+  // 0, the cell is released. moveHolds() replaces the prescribed velocities of all held cells.
   void hold(std::int64_t cell, int axes, const Vec3& velocity = Vec3::Zero());
   // Sets the external force on the cell, N. It acts until it is set again.
   void setLoad(std::int64_t cell, const Vec3& force);
@@ -178,6 +180,7 @@ class ElasticTissue final : public TissueModel {
   void chooseFineness();
   void lookAhead(float time);
   void clearPulls();
+  void carryHeld(double before, double after, double dt);
   RestTissue rest() const { return {state_, lattice_, contacts_.points()}; }
   void limitCords();
   void keepState();
@@ -210,6 +213,7 @@ class ElasticTissue final : public TissueModel {
   std::vector<std::int32_t> bondsChanged_, holdsChanged_;  // cells that settle() will update
   TissueContacts contacts_;
   Frame frame_;
+  std::optional<BreathMotion> holdsMove_;  // of the present frame; none: the holds stand still
   Before before_;
   FloatArray kept_;  // u, v and the branches of all chunks at the beginning of the frame
 };

@@ -3,7 +3,8 @@
 namespace resect {
 
 void TissueSprings::pull(ElasticState& s, const Vec3& origin, std::span<const Obstacle> obstacles,
-                         double share, double frame, double dt) {
+                         const BreathMotion& held, double share, double frame, double dt) {
+  const Vec3 carried = held.displacement(share), carriedSpeed = held.velocity(share);
   for (const TissueSpring& spring : springs_) {
     const std::int32_t i = spring.cell;
     const Vec3 x =
@@ -11,7 +12,8 @@ void TissueSprings::pull(ElasticState& s, const Vec3& origin, std::span<const Ob
     const Vec3 v(s.v[0][i], s.v[1][i], s.v[2][i]);
     Vec3 force = Vec3::Zero();
     if (spring.tool < 0) {
-      force = spring.stiffness * (spring.anchor - x) - spring.damping * v;
+      force =
+          spring.stiffness * (spring.anchor + carried - x) - spring.damping * (v - carriedSpeed);
     } else {
       for (std::size_t b = 0; b < obstacles.size(); ++b) {
         const Obstacle& tool = obstacles[b];

@@ -42,12 +42,13 @@ class TissueSprings {
   }
   std::span<const TissueSpring> all() const { return springs_; }
 
-  // Adds the springs' forces to the loads of their cells, for one substep. dt: duration of the
+  // Adds the springs' forces to the loads of their cells, for one substep. held: motion of the
+  // anchors of ligaments. dt: duration of the
   // substep, s. share: time at which the substep ends, as a fraction of the frame, 0 to 1. frame:
   // duration of the frame, s. origin: rest position of the centre of cell (0, 0, 0), m. If a tool
   // is not among the obstacles, its springs exert no force.
   void pull(ElasticState& state, const Vec3& origin, std::span<const Obstacle> obstacles,
-            double share, double frame, double dt);
+            const BreathMotion& held, double share, double frame, double dt);
   // Per obstacle: the momentum that the springs have given to the obstacle since the last
   // forgetImpulses(), kg m/s.
   std::span<const Vec3> impulse() const { return impulse_; }

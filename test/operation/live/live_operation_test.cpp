@@ -9,6 +9,7 @@
 #include "operation/live/hand_speed.h"
 #include "support/block_organ.h"
 #include "support/corners.h"
+#include "support/elastic_block.h"
 #include "support/test_tools.h"
 
 using namespace resect;
@@ -175,4 +176,36 @@ TEST_CASE("an operation that begins paused computes no frame before it goes on")
   operation.waitFor(2);
   CHECK(operation.take(updates, state));
   CHECK(state.frame >= 2);
+}
+
+TEST_CASE("breathing is switched while an operation runs, and an earlier moment has its own") {
+  auto simulation = std::make_unique<Simulation>(
+      test::elasticBlock({6, 4, 6}, 0.008, test::boxTool({{-0.004, 0, 0}, {0.004, 0.004, 0.05}})));
+  simulation->setBreathing({0.01, 60, 1, false});
+  Followed live(std::move(simulation));
+  live.frames(5);
+  CHECK(live.state.canBreathe);
+  CHECK(!live.state.breathes);
+  const auto phase = [&] {
+    double phase = 0;
+    live.operation.look([&](const Simulation& now) { phase = now.breath().phase; });
+    return phase;
+  };
+  CHECK(phase() == 0);
+  live.operation.setBreathing(true);
+  live.frames(10);
+  CHECK(live.state.breathes);
+  CHECK(phase() > 0);
+  live.operation.setBreathing(false);
+  live.frames(260);  // longer than a breath
+  CHECK(!live.state.breathes);
+  CHECK(phase() == 0);
+  live.operation.show({0, 10});
+  live.operation.waitForAnswer();
+  live.follow();
+  CHECK(live.state.breathes);
+  live.operation.show({0, 2});
+  live.operation.waitForAnswer();
+  live.follow();
+  CHECK(!live.state.breathes);
 }

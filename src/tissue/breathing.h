@@ -1,0 +1,56 @@
+// Breathing: the motion of the diaphragm, which carries what organs hang from and lie on.
+//
+// A breath leads from the end of an exhalation (phase 0) to the end of the next one (phase 1). The
+// diaphragm's displacement is depth * sin^4(pi * phase), towards the patient's feet (+Z). Most of a
+// breath is thus spent near the end of exhalation, as in patients. The waveform is that of Lujan,
+// Larsen, Balter and Ten Haken, Med. Phys. 26, 715 (1999), doi.org/10.1118/1.598577, with n = 2.
+#pragma once
+
+#include "base/vec.h"
+
+namespace resect {
+
+// How the patient breathes.
+struct Breathing {
+  double depth = 0;       // displacement of the diaphragm at the end of inhalation, m; 0: still
+  double perMinute = 12;  // breaths per minute
+  // Share of the diaphragm's motion that the table makes, 0 to 1. In the patient the place of the
+  // table is taken by the organs under the liver, which move less than the diaphragm.
+  double bed = 0.8;
+  bool begins = true;  // whether the first breath begins at the start of the operation
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("depth", depth), v("perMinute", perMinute), v("bed", bed), v("begins", begins);
+  }
+};
+
+// Where in a breath the patient is.
+struct Breath {
+  double phase = 0;  // 0 to below 1
+  // False: the breath is held. The breath that has begun is finished first, so nothing jerks.
+  bool on = true;
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("phase", phase), v("on", on);
+  }
+};
+
+// The diaphragm's motion in one frame. share: a time in the frame, from 0 (its start) to 1.
+struct BreathMotion {
+  double depth = 0;         // m
+  double from = 0, to = 0;  // phases at start and end; `to` may be above 1
+  double duration = 0;      // of the frame, s; 0: no motion
+
+  Vec3 displacement(double share) const;  // m
+  Vec3 velocity(double share) const;      // m/s
+};
+
+// Displacement as a share of the depth, 0 to 1.
+double breathWave(double phase);
+
+// Moves `breath` on by a frame, and returns the motion of this frame. duration: s, above 0.
+BreathMotion breathe(const Breathing& breathing, Breath& breath, double duration);
+
+}  // namespace resect
