@@ -119,8 +119,7 @@ TEST_CASE(
     const double tip = tissue.displacement(tissue.lattice().index({n - 1, 2, 2})).x();
     const double x = (n - 1 - kWall) * kSpacing, face = x + kSpacing / 2;
     const double expected = m.density * g / m.young * (face * x - x * x / 2);
-    CHECK(figures.add("tip, if the wall is 0.33 spacings inside (m)", tip, expected, 0.01) <
-          0.01);
+    CHECK(figures.add("tip, if the wall is 0.33 spacings inside (m)", tip, expected, 0.01) < 0.01);
   }
 }
 
