@@ -63,6 +63,9 @@ SILENT = {
     "picture-size takes a width from 320 and a height from 240 on",
     "there is no display to open a window on; use `resect run` to operate without one",
 }
+# Sources of src/app whose texts go into files or to scripts; texts of the others that nobody is to translate.
+UNSEEN = ["main_window_reports.cpp", "report_pdf.cpp"]
+PLAIN = ["An exercise", "An exercise.", "the window", "are in force", "open, %1 boundary edge%2", "%1: %2 hole%3 closed"]
 # Names of structures and built-in organs; names of models, as files of tasks give them.
 NAMES = ["liver", "gallbladder", "tumour", "cyst", "cavity"]
 
@@ -181,8 +184,22 @@ def faults_of(context, source, translation, finished):
     return ""
 
 
+def unmarked():
+    """Texts in src/app that read like sentences and that nothing translates."""
+    marked = re.compile(SPOKEN + r"$|Words::\s*tr\(\s*$|QT_TRANSLATE_NOOP\(\s*\"\w+\",\s*$|(?<![\w>.])say\(\s*$|[sS]tyle.*$")
+    for file in sorted((ROOT / "src/app").rglob("*.cpp")):
+        if file.name in UNSEEN:
+            continue
+        text = file.read_text()
+        for start, value in literals(text):
+            words = numbered(re.sub("<[^>]*>", "", value))
+            if (re.search("[A-Za-z]{2} [a-z]{2}", words) and not {words, "%1" + words} & {*PLAIN, *OTHERS} and
+                    not marked.search(text[:start])):
+                yield f"{file.relative_to(ROOT)}:{text.count(chr(10), 0, start) + 1}: \"{value}\": wrap it in Words::tr()"
+
+
 def check():
-    problems = []
+    problems = list(unmarked())
     for file, text in headers().items():
         if not file.exists() or file.read_text() != text:
             problems.append(f"{file.relative_to(ROOT)}: is out of date; run tools/translations.py")

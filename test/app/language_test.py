@@ -90,6 +90,15 @@ class German(unittest.TestCase):
         self.nothing_cut(window, "laboratory")
         self.assertIn("Zellgröße", window.places)
 
+    def test_no_text_is_cut_where_an_exercise_is_made(self):
+        window = self.ready("--language", "de", "--exercises")
+        self.screen.click(*window.places["Selbst machen"])
+        window.wait("maker shown")
+        for picture in ("points", "line", "structure", "bleeding", "vessel", "plane"):
+            self.nothing_cut(window, f"making_{picture}")
+            self.screen.click(*window.places["Ziel"])
+            self.screen.key("Down", "Return")
+
     def test_an_exercise_is_in_german_from_its_card_to_its_result(self):
         window = self.opened("--language", "de", "--exercises")
         self.buttons(window)
@@ -109,7 +118,7 @@ class German(unittest.TestCase):
         # Reports of what happens stay English. On a slow machine the time may be up.
         self.assertRegex(window.wait("exercise ended"), r": (Finished\.|The time is up\.)")
         window.wait("result failed", 120)
-        time.sleep(1)
+        window.wait("report written", 120)
         self.nothing_cut(window, "result")
         facts = [name for name in window.places if re.match(r"\d\.", name)]
         self.assertTrue(any("(Lebervene) wurde nicht durchtrennt" in fact for fact in facts), window.places)

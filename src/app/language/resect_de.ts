@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>Where the aspirator took tissue away small arteries bleed; the pencil seals them</source>
-        <translation>Wo der Aspirator Gewebe entfernt hat, bluten kleine Arterien; der Handgriff versiegelt sie</translation>
+        <translation>Wo der Aspirator Gewebe entfernt hat, bluten kleine Arterien; der HF-Handgriff versiegelt sie</translation>
     </message>
     <message>
         <source>Cut across the dome (120 particles, as in the thesis)</source>
@@ -401,15 +401,15 @@
     </message>
     <message>
         <source>Electrosurgical pencil</source>
-        <translation>Monopolarer Handgriff</translation>
+        <translation>HF-Handgriff</translation>
     </message>
     <message>
         <source>Monopolar pencil with a blade electrode; cuts and coagulates with its edge</source>
-        <translation>Monopolarer Handgriff mit Messerelektrode; schneidet und koaguliert mit der Kante</translation>
+        <translation>Monopolarer HF-Handgriff mit Messerelektrode; schneidet und koaguliert mit der Kante</translation>
     </message>
     <message>
         <source>Pencil</source>
-        <translation>Handgriff</translation>
+        <translation>HF-Handgriff</translation>
     </message>
     <message>
         <source>Scalpel</source>
@@ -1763,7 +1763,7 @@
     </message>
     <message>
         <source>Touch targets</source>
-        <translation>Zielpunkte berühren</translation>
+        <translation>Punkte berühren</translation>
     </message>
     <message>
         <source>Click each target on the organ, in order.</source>
@@ -1771,7 +1771,7 @@
     </message>
     <message>
         <source>Cut along a line</source>
-        <translation>Entlang einer Linie schneiden</translation>
+        <translation>Linie schneiden</translation>
     </message>
     <message>
         <source>Click the corners of the line, from one end to the other.</source>
@@ -1779,7 +1779,7 @@
     </message>
     <message>
         <source>Take out a structure</source>
-        <translation>Eine Struktur entfernen</translation>
+        <translation>Struktur entfernen</translation>
     </message>
     <message>
         <source>Click on the organ above the middle of the tumour.</source>
@@ -1787,7 +1787,7 @@
     </message>
     <message>
         <source>Stop a bleeding</source>
-        <translation>Eine Blutung stillen</translation>
+        <translation>Blutung stillen</translation>
     </message>
     <message>
         <source>There is nothing to mark: the learner makes the cut.</source>
@@ -1795,7 +1795,7 @@
     </message>
     <message>
         <source>Divide a vessel</source>
-        <translation>Ein Gefäß durchtrennen</translation>
+        <translation>Gefäß durchtrennen</translation>
     </message>
     <message>
         <source>Click on the organ above the vessel.</source>
@@ -1803,7 +1803,7 @@
     </message>
     <message>
         <source>Cut along a plane</source>
-        <translation>Entlang einer Ebene schneiden</translation>
+        <translation>Ebene schneiden</translation>
     </message>
     <message>
         <source>Turn the view so that you look along the plane; then click two points that it goes through.</source>
@@ -1847,7 +1847,7 @@
     </message>
     <message>
         <source>Mark places</source>
-        <translation>Stellen markieren</translation>
+        <translation>Markieren</translation>
     </message>
     <message>
         <source>While this is pressed, a click on the organ marks a place</source>
@@ -1855,7 +1855,7 @@
     </message>
     <message>
         <source>Remove last</source>
-        <translation>Letzte entfernen</translation>
+        <translation>Letzte löschen</translation>
     </message>
     <message>
         <source>Takes the mark away that was made last</source>
@@ -1943,7 +1943,7 @@
     </message>
     <message>
         <source>A pass must come near to them</source>
-        <translation>Bestehen heißt, ihnen nahezukommen</translation>
+        <translation>Bestehen nur nahe daran</translation>
     </message>
     <message>
         <source>Time, path, movements, force and blood at most two standard deviations above the mean of the checked tries, three or more</source>
@@ -1951,7 +1951,7 @@
     </message>
     <message>
         <source>Try it</source>
-        <translation>Ausprobieren</translation>
+        <translation>Testen</translation>
     </message>
     <message>
         <source>Begins the exercise as a learner would</source>
@@ -1959,7 +1959,7 @@
     </message>
     <message>
         <source>Save ...</source>
-        <translation>Speichern ...</translation>
+        <translation>Sichern ...</translation>
     </message>
     <message>
         <source>As a file to be sent (.toml)</source>
@@ -3023,7 +3023,7 @@
     </message>
     <message>
         <source>P, the pencil in hand</source>
-        <translation>P, Handgriff in der Hand</translation>
+        <translation>P mit dem HF-Handgriff</translation>
     </message>
     <message>
         <source>hold it down to press the pedal: it coagulates and does not cut</source>
@@ -3195,7 +3195,7 @@
     </message>
     <message>
         <source>%1   (at work)</source>
-        <translation>%1   (arbeitet)</translation>
+        <translation>%1   (aktiv)</translation>
     </message>
     <message>
         <source>Open organ</source>
@@ -3712,6 +3712,10 @@
     <message>
         <source>Branch %1</source>
         <translation>Zweig %1</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
     </message>
 </context>
 </TS>

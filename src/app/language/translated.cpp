@@ -111,8 +111,12 @@ std::optional<QString> byParts(const QStringList& parts, const QString& between,
 QString inLanguage(const QString& text) {
   static const QRegularExpression letter("[A-Za-z]{2}"), end("(?<=[.!?]) +(?=[A-Z])");
   if (!text.contains(letter)) return text;
-  if (const auto whole = known(text)) return *whole;
-  if (const auto sentences = byParts(text.split(end), " ", false)) return *sentences;
+  if (const auto data = dataText(text)) return *data;
+  // Sentences before a pattern of one that would take the next one for a value.
+  const QStringList sentences = text.split(end);
+  if (const auto all = byParts(sentences, " ", true)) return *all;
+  if (const auto whole = sentence(text)) return *whole;
+  if (const auto some = byParts(sentences, " ", false)) return *some;
   return byParts(text.split(", "), ", ", true).value_or(text);
 }
 

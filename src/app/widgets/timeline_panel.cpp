@@ -267,7 +267,7 @@ void TimelinePanel::follow(const LiveState& state, bool showing, bool answered) 
                      ? Words::tr("Looking back: work on to go on from here; End: to the end")
                      : Words::tr("Paused: take an instrument to go on"));
   hint_->setToolTip(hint_->text());
-  goOn_->setText(frame_ < end_ ? Words::tr("Go on from here") : "Go on");
+  goOn_->setText(frame_ < end_ ? Words::tr("Go on from here") : Words::tr("Go on"));
   memory_->setText(QString("%1 MB").arg(double(state.historyBytes) / (1 << 20), 0, 'f', 0));
   bar_->update();
 }
