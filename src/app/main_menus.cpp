@@ -14,6 +14,7 @@
 #include <QStatusBar>
 
 #include "app/exercise/exercises_page.h"
+#include "app/language/words.h"
 #include "app/main_window.h"
 #include "app/say.h"
 #include "app/viewer.h"
@@ -36,30 +37,33 @@ QAction* MainWindow::add(QMenu* menu, const QString& text, const QKeySequence& k
 }
 
 void MainWindow::makeMenus() {
-  QMenu* file = menuBar()->addMenu("&File");
-  add(file, "E&xercises ...", QKeySequence("Ctrl+T"),
-      "Exercises with a goal and a result, and what this learner has reached",
+  QMenu* file = menuBar()->addMenu(Words::tr("&File"));
+  add(file, Words::tr("E&xercises ..."), QKeySequence("Ctrl+T"),
+      Words::tr("Exercises with a goal and a result, and what this learner has reached"),
       [this] { showExercises(); });
-  add(file, "&Open organ, scene, scenario or operation ...", QKeySequence::Open,
-      "A mesh, particles, a saved scene or a scenario; a file can also be dropped on the window",
+  add(file, Words::tr("&Open organ, scene, scenario or operation ..."), QKeySequence::Open,
+      Words::tr("A mesh, particles, a saved scene or a scenario; a file can also be dropped on the "
+                "window"),
       [this] {
         const QString name = QFileDialog::getOpenFileName(
-            this, "Open", {},
-            "All that can be opened (*.iv *.wrl *.obj *.stl *.ply *.off "
-            "*.glb *.gltf *.3mf *.vtk *.dis *.resect-cells *.toml *.resect "
-            "*.nii *.nrrd *.nhdr *.mha *.mhd *.dcm *.gz);;All files (*)");
+            this, Words::tr("Open"), {},
+            Words::tr("All that can be opened (*.iv *.wrl *.obj *.stl *.ply *.off "
+                      "*.glb *.gltf *.3mf *.vtk *.dis *.resect-cells *.toml *.resect "
+                      "*.nii *.nrrd *.nhdr *.mha *.mhd *.dcm *.gz);;All files (*)"));
         if (!name.isEmpty()) openFile(name);
       });
-  add(file, "Open folder of &labels ...", {},
-      "The labels of a scan with a file for each structure, as TotalSegmentator writes them",
+  add(file, Words::tr("Open folder of &labels ..."), {},
+      Words::tr(
+          "The labels of a scan with a file for each structure, as TotalSegmentator writes them"),
       [this] {
-        const QString name = QFileDialog::getExistingDirectory(this, "Open folder of labels");
+        const QString name =
+            QFileDialog::getExistingDirectory(this, Words::tr("Open folder of labels"));
         if (!name.isEmpty()) openFile(name);
       });
   for (const std::string_view organ : kBuiltInOrgans) {
     const std::string name(organ);
-    add(file, QString::fromStdString("Built-in &" + name), {},
-        QString::fromStdString("The " + name + " that comes with Resect, whole"), [this, name] {
+    add(file, Words::tr("Built-in &%1").arg(translated(name)), {},
+        Words::tr("The %1 that comes with Resect, whole").arg(translated(name)), [this, name] {
           Scenario scenario = options_.scenario;
           keepFirstOrgan(scenario);
           OrganSource source = scenario.organs[0].source;
@@ -69,51 +73,54 @@ void MainWindow::makeMenus() {
         });
   }
   makeScenarioMenu(file);
-  recent_ = file->addMenu("&Recent files");
+  recent_ = file->addMenu(Words::tr("&Recent files"));
   fillRecent();
-  recordings_ = file->addMenu("Recorded op&erations");
-  recordings_->setToolTip("What the window has recorded by itself; opened, an operation goes on");
-  recordingOn_ = new QAction("&Record operations", this);
+  recordings_ = file->addMenu(Words::tr("Recorded op&erations"));
+  recordings_->setToolTip(
+      Words::tr("What the window has recorded by itself; opened, an operation goes on"));
+  recordingOn_ = new QAction(Words::tr("&Record operations"), this);
   recordingOn_->setCheckable(true);
-  recordingOn_->setToolTip("Whether the next operations are recorded");
+  recordingOn_->setToolTip(Words::tr("Whether the next operations are recorded"));
   recordingOn_->setChecked(QSettings().value("record", true).toBool());
   connect(recordingOn_, &QAction::toggled, this, [this](bool on) {
     QSettings().setValue("record", on);
-    statusBar()->showMessage(on ? "From the next operation on, all is recorded"
-                                : "From the next operation on, nothing is recorded",
+    statusBar()->showMessage(on ? Words::tr("From the next operation on, all is recorded")
+                                : Words::tr("From the next operation on, nothing is recorded"),
                              8000);
   });
   connect(recordings_, &QMenu::aboutToShow, this, [this] { listRecordings(); });
-  add(file, "Begin the operation &again", QKeySequence("Ctrl+N"),
-      "The same organ, whole, with the settings of the laboratory's panel; the view stays, and "
-      "what "
-      "was done so far stays in its recording",
+  add(file, Words::tr("Begin the operation &again"), QKeySequence("Ctrl+N"),
+      Words::tr(
+          "The same organ, whole, with the settings of the laboratory's panel; the view stays, and "
+          "what was done so far stays in its recording"),
       [this] { organ_->beginAgain(); });
   file->addSeparator();
-  add(file, "&Save operation", QKeySequence::Save,
-      "All that was done, as one file: opened, the operation goes on where it was",
+  add(file, Words::tr("&Save operation"), QKeySequence::Save,
+      Words::tr("All that was done, as one file: opened, the operation goes on where it was"),
       [this] { saveOperation(false); });
-  add(file, "Save operation &as ...", QKeySequence("Ctrl+Shift+S"), "The same under another name",
-      [this] { saveOperation(true); });
+  add(file, Words::tr("Save operation &as ..."), QKeySequence("Ctrl+Shift+S"),
+      Words::tr("The same under another name"), [this] { saveOperation(true); });
   file->addSeparator();
-  add(file, "Save s&urface ...", QKeySequence("Ctrl+E"), "The organ as it is now, as a closed mesh",
-      [this] { saveSurface(); });
-  add(file, "Save s&cene ...", QKeySequence("Ctrl+Shift+E"),
-      "The whole room as an Inventor file, for this program and others", [this] { saveScene(); });
-  add(file, "Save &picture ...", QKeySequence("Ctrl+P"),
-      "The picture as it is seen, with smooth edges", [this] { savePicture(); });
-  add(file, "Record a &film: start or stop", QKeySequence("Ctrl+R"),
-      "A film of what is seen, until this is chosen again; needs ffmpeg",
+  add(file, Words::tr("Save s&urface ..."), QKeySequence("Ctrl+E"),
+      Words::tr("The organ as it is now, as a closed mesh"), [this] { saveSurface(); });
+  add(file, Words::tr("Save s&cene ..."), QKeySequence("Ctrl+Shift+E"),
+      Words::tr("The whole room as an Inventor file, for this program and others"),
+      [this] { saveScene(); });
+  add(file, Words::tr("Save &picture ..."), QKeySequence("Ctrl+P"),
+      Words::tr("The picture as it is seen, with smooth edges"), [this] { savePicture(); });
+  add(file, Words::tr("Record a &film: start or stop"), QKeySequence("Ctrl+R"),
+      Words::tr("A film of what is seen, until this is chosen again; needs ffmpeg"),
       [this] { toggleVideo(); });
   file->addSeparator();
-  add(file, "&Quit", QKeySequence("Ctrl+Q"), "Ends the operation", [this] { close(); });
+  add(file, Words::tr("&Quit"), QKeySequence("Ctrl+Q"), Words::tr("Ends the operation"),
+      [this] { close(); });
 
-  QMenu* edit = menuBar()->addMenu("&Edit");
-  undo_ = add(edit, "&Undo stroke", QKeySequence::Undo,
-              "Takes back the last stroke: from the first touch until the hand let go",
+  QMenu* edit = menuBar()->addMenu(Words::tr("&Edit"));
+  undo_ = add(edit, Words::tr("&Undo stroke"), QKeySequence::Undo,
+              Words::tr("Takes back the last stroke: from the first touch until the hand let go"),
               [this] { undo(false); });
-  redo_ = add(edit, "&Redo stroke", QKeySequence("Ctrl+Shift+Z"),
-              "Does again the stroke that was taken back last", [this] { undo(true); });
+  redo_ = add(edit, Words::tr("&Redo stroke"), QKeySequence("Ctrl+Shift+Z"),
+              Words::tr("Does again the stroke that was taken back last"), [this] { undo(true); });
   // Grey in the menu only: the keys of an action that is switched off would say nothing.
   connect(edit, &QMenu::aboutToShow, this, [this] {
     undo_->setEnabled(session_ && session_->state().undoable > 0);
@@ -128,54 +135,58 @@ void MainWindow::makeMenus() {
 
   makeViewMenu();
 
-  QMenu* instruments = instrumentMenu_ = menuBar()->addMenu("&Instruments");
+  QMenu* instruments = instrumentMenu_ = menuBar()->addMenu(Words::tr("&Instruments"));
   instruments->addSeparator();
   const auto precise = [this](ToolHandling::Hold how) {
     if (session_ && session_->tools().held() >= 0)
       session_->tools().hold(session_->tools().held(), how);
   };
-  add(instruments, "Along the &surface", QKeySequence("S"),
-      "The instrument follows the organ's surface under the pointer", [=, this] {
+  add(instruments, Words::tr("Along the &surface"), QKeySequence("S"),
+      Words::tr("The instrument follows the organ's surface under the pointer"), [=, this] {
         if (session_) precise(session_->tools().usual());
       });
-  add(instruments, "&Direct", QKeySequence("D"), "Dragging moves it across the view",
-      [=] { precise(ToolHandling::Hold::Direct); });
-  add(instruments, "Handle &box: move", QKeySequence("B"), "Moves it along one axis or face",
+  add(instruments, Words::tr("&Direct"), QKeySequence("D"),
+      Words::tr("Dragging moves it across the view"), [=] { precise(ToolHandling::Hold::Direct); });
+  add(instruments, Words::tr("Handle &box: move"), QKeySequence("B"),
+      Words::tr("Moves it along one axis or face"),
       [=] { precise(ToolHandling::Hold::HandleBox); });
-  add(instruments, "&Trackball: turn", QKeySequence("T"), "Turns it about its tip",
-      [=] { precise(ToolHandling::Hold::Trackball); });
-  add(instruments, "&Let go", QKeySequence("G"), "It stays where it is", [this] {
-    if (session_) session_->tools().hold(-1, ToolHandling::Hold::None);
-  });
+  add(instruments, Words::tr("&Trackball: turn"), QKeySequence("T"),
+      Words::tr("Turns it about its tip"), [=] { precise(ToolHandling::Hold::Trackball); });
+  add(instruments, Words::tr("&Let go"), QKeySequence("G"), Words::tr("It stays where it is"),
+      [this] {
+        if (session_) session_->tools().hold(-1, ToolHandling::Hold::None);
+      });
 
-  add(instruments, "L&eave at work", {},
-      "While it presses: it goes on holding or pressing there, and the hand is free (key F)",
+  add(instruments, Words::tr("L&eave at work"), {},
+      Words::tr(
+          "While it presses: it goes on holding or pressing there, and the hand is free (key F)"),
       [this] {
         if (session_ && session_->tools().pressing()) session_->tools().leave();
       });
 
   instruments->addSeparator();
-  add(instruments, "&Play the scenario's motions", QKeySequence("P"),
-      "Until they end, or an instrument is taken", [this] {
+  add(instruments, Words::tr("&Play the scenario's motions"), QKeySequence("P"),
+      Words::tr("Until they end, or an instrument is taken"), [this] {
         if (!exercising()) return play(1e9);
-        statusBar()->showMessage("In an exercise the ghost shows how it is done", 5000);
+        statusBar()->showMessage(Words::tr("In an exercise the ghost shows how it is done"), 5000);
       });
 
-  QMenu* help = menuBar()->addMenu("&Help");
-  add(help, "&Controls", QKeySequence("F1"), "What mouse and keys do", [this] {
-    if (overlay_->isVisible()) return overlay_->hide();
-    overlay_->setGeometry(viewer_->rect());
-    overlay_->show();
-    overlay_->raise();
-  });
+  QMenu* help = menuBar()->addMenu(Words::tr("&Help"));
+  add(help, Words::tr("&Controls"), QKeySequence("F1"), Words::tr("What mouse and keys do"),
+      [this] {
+        if (overlay_->isVisible()) return overlay_->hide();
+        overlay_->setGeometry(viewer_->rect());
+        overlay_->show();
+        overlay_->raise();
+      });
   QAction* spaceMouse = help->addAction(QString());
   spaceMouse->setEnabled(false);
   connect(help, &QMenu::aboutToShow, this,
-          [this, spaceMouse] { spaceMouse->setText(spaceMouse_.status()); });
-  add(help, "&About", {}, "What this is", [this] {
-    QMessageBox::about(this, "About Resect",
-                       "<b>Resect</b><p>Virtual surgery on organ models, in real time.<p>"
-                       "Not for diagnosis or treatment. Apache License 2.0.");
+          [this, spaceMouse] { spaceMouse->setText(Words::tr(spaceMouse_.status())); });
+  add(help, Words::tr("&About"), {}, Words::tr("What this is"), [this] {
+    QMessageBox::about(this, Words::tr("About Resect"),
+                       Words::tr("<b>Resect</b><p>Virtual surgery on organ models, in real time.<p>"
+                                 "Not for diagnosis or treatment. Apache License 2.0."));
   });
   for (QMenu* menu : menuBar()->findChildren<QMenu*>()) menu->setToolTipsVisible(true);
 }

@@ -25,6 +25,7 @@
 
 #include "app/exercise/exercise_panel.h"
 #include "app/exercise/exercises_page.h"
+#include "app/language/words.h"
 #include "app/say.h"
 #include "app/viewer.h"
 #include "app/widgets/banner.h"
@@ -82,13 +83,14 @@ MainWindow::MainWindow(const WindowOptions& options) : options_(options) {
   overlay_ = new ControlsOverlay(viewer_);
   progress_ = new QProgressBar(this);
   progress_->setMaximumWidth(220);
-  cancel_ = new QPushButton("Cancel", this);
+  cancel_ = new QPushButton(Words::tr("Cancel"), this);
   cancel_->setFocusPolicy(Qt::TabFocus);
-  recording_ = new QLabel("<span style='color:#e0483c'>&#9679;</span> Recording");
-  recording_->setToolTip("A film is being recorded: Ctrl+R ends it and writes it");
+  recording_ = new QLabel("<span style='color:#e0483c'>&#9679;</span> " + Words::tr("Recording"));
+  recording_->setToolTip(Words::tr("A film is being recorded: Ctrl+R ends it and writes it"));
   recording_->hide();
-  notRecorded_ = new QLabel("Not recorded");
-  notRecorded_->setToolTip("This operation is kept in no file: File > Recorded operations");
+  notRecorded_ = new QLabel(Words::tr("Not recorded"));
+  notRecorded_->setToolTip(
+      Words::tr("This operation is kept in no file: File > Recorded operations"));
   notRecorded_->hide();
   statusBar()->addPermanentWidget(notRecorded_);
   statusBar()->addPermanentWidget(recording_);
@@ -96,8 +98,8 @@ MainWindow::MainWindow(const WindowOptions& options) : options_(options) {
   statusBar()->addPermanentWidget(cancel_);
   progress_->hide();
   cancel_->hide();
-  progress_->setToolTip("How much of it has been made");
-  cancel_->setToolTip("Gives up what is coming; what is there stays as it is");
+  progress_->setToolTip(Words::tr("How much of it has been made"));
+  cancel_->setToolTip(Words::tr("Gives up what is coming; what is there stays as it is"));
   connect(cancel_, &QPushButton::clicked, this, [this] { cancelLoading(); });
   spaceMouse_.pushed = [this](const SixAxes& axes, double seconds) {
     if (session_) session_->follow(motionOf(axes, seconds));
@@ -134,7 +136,10 @@ void MainWindow::tick() {
   if (tools.held() != heldSaid_ || tools.how() != howSaid_) {
     heldSaid_ = tools.held();
     howSaid_ = tools.how();
-    if (options_.reports) say("held {} {}", heldName("nothing").toStdString(), nameOf(howSaid_));
+    if (options_.reports)
+      say("held {} {}",
+          heldSaid_ < 0 ? "nothing" : session_->toolModels()[std::size_t(heldSaid_)].name,
+          nameOf(howSaid_));
   }
   if (tools.left() != leftSaid_) {
     leftSaid_ = tools.left();
@@ -192,10 +197,10 @@ void MainWindow::tick() {
   lastSize_ = size;
 }
 
-// Name of the instrument in hand, `none` if there is none.
-QString MainWindow::heldName(const char* none) const {
+// Name of the instrument in hand; empty if there is none.
+QString MainWindow::heldName() const {
   const int held = session_->tools().held();
-  return held < 0 ? QString(none) : shown(session_->toolModels()[std::size_t(held)].name);
+  return held < 0 ? QString() : translated(session_->toolModels()[std::size_t(held)].name);
 }
 
 bool MainWindow::viewerEvent(const SoEvent& event, const SbViewportRegion& viewport) {
@@ -256,7 +261,7 @@ void MainWindow::bringEverythingBack() {
 
 void MainWindow::complain(const std::string& sentence, std::function<bool()> holds) {
   if (options_.reports) say("error {}", sentence);
-  complaint_->say(shown(sentence, kLongestSentence), std::move(holds));
+  complaint_->say(translated(sentence, kLongestSentence), std::move(holds));
   placeOverlays();
 }
 

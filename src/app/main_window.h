@@ -123,7 +123,7 @@ class MainWindow : public QMainWindow {
   void toggleVideo();
   bool viewerEvent(const SoEvent& event, const SbViewportRegion& viewport);
   void undo(bool again);
-  QString heldName(const char* none) const;
+  QString heldName() const;
   void look(RoomView view);
   void viewAll();
   void zoom(double factor);
@@ -138,7 +138,7 @@ class MainWindow : public QMainWindow {
   void beginExercise();
   void followExercise(const LiveState& state);
   void guideHand(const AttemptProgress& progress);
-  void endExercise(const QString& why, std::optional<double> end = {});
+  void endExercise(const std::string& why, std::optional<double> end = {});
   void showResult(const AttemptResult& result);
   void replayFrom(double seconds);
   void nextExercise();
@@ -174,7 +174,7 @@ class MainWindow : public QMainWindow {
   void placeOverlays();
   // Asks the user for a file name and calls `write` with it. If `write` throws, the user sees the
   // exception's text.
-  void save(const char* title, const char* filter, const QString& name,
+  void save(const QString& title, const QString& filter, const QString& name,
             const std::function<void(const std::string&)>& write);
 
   WindowOptions options_;

@@ -13,6 +13,7 @@
 #include "app/exercise/attempt_folder.h"
 #include "app/exercise/exercise_panel.h"
 #include "app/exercise/exercises_page.h"
+#include "app/language/words.h"
 #include "app/main_window.h"
 #include "app/say.h"
 #include "app/viewer.h"
@@ -73,8 +74,8 @@ void MainWindow::makeExercises() {
   exercises_->folderWanted = [this] { chooseAttemptsFolder(); };
   exercises_->classWanted = [this](bool names) { tabulateClass(names); };
   exercises_->addWanted = [this] {
-    const QString file =
-        QFileDialog::getOpenFileName(this, "Add an exercise", {}, "Exercises (*.toml)");
+    const QString file = QFileDialog::getOpenFileName(this, Words::tr("Add an exercise"), {},
+                                                      Words::tr("Exercises (*.toml)"));
     if (file.isEmpty()) return;
     try {
       addExercise(file.toStdString());
@@ -181,7 +182,7 @@ void MainWindow::beginExercise() {
   if (!attempt_) return;
   const Task& task = *session_->scenario().task;
   const bool guided = task.guidance && task.level != TaskLevel::Hard && !asTest_;
-  exercise_->begin(shown(session_->scenario().title), task, guided, session_->hasGhosts(),
+  exercise_->begin(translated(session_->scenario().title), task, guided, session_->hasGhosts(),
                    isDraft());
   if (options_.reports)
     say("exercise {} level {} guidance {}", session_->scenario().name, wordOf(task.level),
@@ -198,7 +199,8 @@ void MainWindow::followExercise(const LiveState& state) {
     attemptEnded_ = false;
     attempt_.reset();
     session_->setGuide({});
-    statusBar()->showMessage("The exercise is over: what is done now does not count", 8000);
+    statusBar()->showMessage(Words::tr("The exercise is over: what is done now does not count"),
+                             8000);
   }
   if (!exercising()) return;
   if (waitsForHand_ && (session_->tools().held() >= 0 || session_->playing())) {
@@ -237,7 +239,7 @@ void MainWindow::guideHand(const AttemptProgress& progress) {
 
 bool MainWindow::refusesGoingBack() {
   if (!exercising() || (session_->scenario().task->undo && !asTest_)) return false;
-  statusBar()->showMessage("In this exercise no work is taken back", 5000);
+  statusBar()->showMessage(Words::tr("In this exercise no work is taken back"), 5000);
   if (options_.reports) say("going back refused");
   return true;
 }
@@ -252,12 +254,12 @@ void MainWindow::endExerciseUnscored() {
 }
 
 // The attempt is over: it is kept, scored, and stays to be looked at.
-// end: s from the start, after which nothing counts; none: now.
-void MainWindow::endExercise(const QString& why, std::optional<double> end) {
+// why: in English. end: s from the start, after which nothing counts; none: now.
+void MainWindow::endExercise(const std::string& why, std::optional<double> end) {
   if (!exercising()) return;
   attemptEnded_ = true;  // the guide stays, for what is looked at again
   session_->setGhosts(false);
-  if (options_.reports) say("exercise ended: {}", why.toStdString());
+  if (options_.reports) say("exercise ended: {}", why);
   try {
     if (!recorder_)
       throw error("This attempt could not be recorded, so it cannot be scored. Begin it again.");
@@ -274,7 +276,7 @@ void MainWindow::endExercise(const QString& why, std::optional<double> end) {
         end ? std::llround(std::ceil(*end * session_->scenario().frameRate)) : kEndOfBranch;
     recorder_->saveAs(recording, {attemptBranch_, last});
     session_->show(session_->state().moment);  // nothing happens any more
-    exercise_->showEnd(why);
+    exercise_->showEnd(translated(why));
     scorer_.score(
         {recording, page_, historyIn(folder), name, asTest_ || isDraft()},
         [this](const AttemptResult& result) { showResult(result); },
@@ -285,11 +287,11 @@ void MainWindow::endExercise(const QString& why, std::optional<double> end) {
           say("report written");
         },
         [this](const QString& sentence) {
-          exercise_->showFailure("The attempt is kept, but could not be scored.");
+          exercise_->showFailure(Words::tr("The attempt is kept, but could not be scored."));
           complain(sentence.toStdString());
         });
   } catch (const std::exception& e) {
-    exercise_->showFailure(shown(e.what(), kLongestSentence));
+    exercise_->showFailure(translated(std::string(e.what()), kLongestSentence));
     complain(e.what());
   }
 }
@@ -300,8 +302,8 @@ void MainWindow::showResult(const AttemptResult& result) {
   std::vector<TimelinePanel::Mark> marks;
   for (std::size_t i = 0; i < result.evidence.size(); ++i)
     if (const Evidence& one = result.evidence[i]; one.time)
-      marks.push_back(
-          {std::llround(*one.time * timeline_->frameRate()), QString::number(i + 1), one.fact});
+      marks.push_back({std::llround(*one.time * timeline_->frameRate()), QString::number(i + 1),
+                       translated(one.fact)});
   timeline_->setMarks(std::move(marks));
   QTimer::singleShot(0, this, [this] { arrangePanels(); });
   if (!options_.reports) return;
@@ -335,7 +337,7 @@ void MainWindow::nextExercise() {
 
 void MainWindow::chooseAttemptsFolder() {
   const QString folder = QFileDialog::getExistingDirectory(
-      this, "Folder for attempts", QString::fromStdString(attemptsFolder().string()));
+      this, Words::tr("Folder for attempts"), QString::fromStdString(attemptsFolder().string()));
   if (folder.isEmpty()) return;
   QSettings().setValue(kFolder, folder);
   showExercises();
@@ -343,7 +345,7 @@ void MainWindow::chooseAttemptsFolder() {
 
 void MainWindow::tabulateClass(bool names) {
   const std::filesystem::path page = attemptsFolder() / "class.html";
-  exercises_->say("The class is being scored ...");
+  exercises_->say(Words::tr("The class is being scored ..."));
   scorer_.tabulate(
       attemptsFolder(), page, historyIn(attemptsFolder()), names,
       [this, page] {
@@ -359,7 +361,7 @@ void MainWindow::tabulateClass(bool names) {
 void MainWindow::openPage(const std::filesystem::path& page) {
   if (options_.reports) return say("open {}", page.string());
   if (QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(page.string())))) {
-    const QString sentence = "The browser opens " + shown(page.string());
+    const QString sentence = Words::tr("The browser opens %1").arg(shown(page.string()));
     statusBar()->showMessage(sentence, 15000);
     if (exercises_->isVisible()) exercises_->say(sentence);
   } else

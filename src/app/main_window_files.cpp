@@ -6,6 +6,7 @@
 #include <QStatusBar>
 #include <filesystem>
 
+#include "app/language/words.h"
 #include "app/main_window.h"
 #include "app/say.h"
 #include "app/viewer.h"
@@ -113,7 +114,7 @@ void MainWindow::remember(const QString& file) {
   fillRecent();
 }
 
-void MainWindow::save(const char* title, const char* filter, const QString& name,
+void MainWindow::save(const QString& title, const QString& filter, const QString& name,
                       const std::function<void(const std::string&)>& write) {
   if (!session_) return;
   const QString file = QFileDialog::getSaveFileName(this, title, name, filter);
@@ -121,7 +122,7 @@ void MainWindow::save(const char* title, const char* filter, const QString& name
   try {
     checkWritten(file.toStdString());
     write(file.toStdString());
-    statusBar()->showMessage("Written: " + shown(file.toStdString()), 5000);
+    statusBar()->showMessage(Words::tr("Written: %1").arg(shown(file.toStdString())), 5000);
     if (options_.reports) say("written {}", file.toStdString());
   } catch (const std::exception& e) {
     complain(e.what());
@@ -129,19 +130,19 @@ void MainWindow::save(const char* title, const char* filter, const QString& name
 }
 
 void MainWindow::saveSurface() {
-  save("Save surface", "Meshes (*.stl *.obj *.ply *.vtk *.iv)", "organ.stl",
+  save(Words::tr("Save surface"), Words::tr("Meshes (*.stl *.obj *.ply *.vtk *.iv)"), "organ.stl",
        [this](const std::string& file) {
          writeMeshFile(file, session_->operation().surface().mesh);
        });
 }
 
 void MainWindow::saveScene() {
-  save("Save scene", "Open Inventor (*.iv)", "scene.iv",
+  save(Words::tr("Save scene"), Words::tr("Open Inventor (*.iv)"), "scene.iv",
        [this](const std::string& file) { writeScene(file); });
 }
 
 void MainWindow::savePicture() {
-  save("Save picture", "PNG (*.png)", "picture.png",
+  save(Words::tr("Save picture"), Words::tr("PNG (*.png)"), "picture.png",
        [this](const std::string& file) { writePng(file, viewer_->grabPicture(true)); });
 }
 

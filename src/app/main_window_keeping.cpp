@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QStatusBar>
 
+#include "app/language/words.h"
 #include "app/main_window.h"
 #include "app/say.h"
 #include "app/viewer.h"
@@ -15,7 +16,7 @@ void MainWindow::toggleVideo() {
   if (video_) {
     try {
       video_->finish();
-      statusBar()->showMessage("The video is written", 5000);
+      statusBar()->showMessage(Words::tr("The video is written"), 5000);
       if (options_.reports) say("filmed");
     } catch (const std::exception& e) {
       complain(e.what());
@@ -29,8 +30,8 @@ void MainWindow::toggleVideo() {
     return complain(
         "A film needs the program ffmpeg, which is not installed: install the package ffmpeg, then "
         "press Ctrl+R again. Ctrl+P saves a single picture, `resect run --frames` writes many.");
-  const QString file =
-      QFileDialog::getSaveFileName(this, "Record film", "operation.mp4", "MPEG-4 (*.mp4)");
+  const QString file = QFileDialog::getSaveFileName(this, Words::tr("Record film"), "operation.mp4",
+                                                    Words::tr("MPEG-4 (*.mp4)"));
   if (file.isEmpty()) return;
   try {
     checkWritten(file.toStdString());
@@ -40,7 +41,8 @@ void MainWindow::toggleVideo() {
                                            kVideoRate);
     pictureTaken_ = QDateTime::currentMSecsSinceEpoch();
     recording_->show();
-    statusBar()->showMessage("Recording " + shown(file.toStdString()) + "; Ctrl+R ends it", 5000);
+    statusBar()->showMessage(
+        Words::tr("Recording %1; Ctrl+R ends it").arg(shown(file.toStdString())), 5000);
   } catch (const std::exception& e) {
     complain(e.what());
   }
@@ -78,15 +80,17 @@ void MainWindow::undo(bool again) {
   const LiveState& state = session_->state();
   const int strokes = again ? state.redoable : state.undoable;
   if (strokes == 0) {
-    statusBar()->showMessage(again ? "Nothing was taken back that could be done again"
-                                   : "There is no stroke to take back",
+    statusBar()->showMessage(again ? Words::tr("Nothing was taken back that could be done again")
+                                   : Words::tr("There is no stroke to take back"),
                              4000);
     if (options_.reports) say("nothing to {}", again ? "redo" : "undo");
     return;
   }
   const int number = again ? state.undoable + 1 : state.undoable;
   statusBar()->showMessage(
-      QString(again ? "Stroke %1 is done again" : "Stroke %1 is taken back").arg(number), 4000);
+      (again ? Words::tr("Stroke %1 is done again") : Words::tr("Stroke %1 is taken back"))
+          .arg(number),
+      4000);
   again ? session_->redo() : session_->undo();
   if (options_.reports) say("{}", again ? "redo" : "undo");
 }

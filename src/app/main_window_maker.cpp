@@ -12,6 +12,7 @@
 
 #include "app/exercise/exercises_page.h"
 #include "app/exercise/task_maker_panel.h"
+#include "app/language/words.h"
 #include "app/main_window.h"
 #include "app/say.h"
 #include "app/viewer.h"
@@ -187,7 +188,7 @@ void MainWindow::markPlace(const SbVec2s& pixel, const SbViewportRegion& viewpor
       if (maker_->kind() == Kind::Divide) mark->vessel = vesselNear(organ.organ, *rest);
     });
   if (!mark) {
-    statusBar()->showMessage("Click on the organ", 4000);
+    statusBar()->showMessage(Words::tr("Click on the organ"), 4000);
     return;
   }
   if (maker_->kind() == Kind::Divide && !mark->vessel)
@@ -266,12 +267,12 @@ void MainWindow::keepTry(const AttemptResult& result) {
   std::filesystem::path recording = page_;
   recording.replace_extension(".resect");
   madeTries_.push_back({recording, result.measures});
-  QString words =
-      QString("Try %1: %2").arg(madeTries_.size()).arg(result.passed ? "passed" : "not passed");
+  QString words = (result.passed ? Words::tr("Try %1: passed") : Words::tr("Try %1: not passed"))
+                      .arg(madeTries_.size());
   if (const auto time = valueOf(result.measures, "total_time_s"))
     words += QString(", %1 s").arg(*time, 0, 'f', 1);
   if (const auto path = valueOf(result.measures, "path_length_m"))
-    words += QString(", way %1 m").arg(*path, 0, 'f', 2);
+    words += Words::tr(", way %1 m").arg(*path, 0, 'f', 2);
   maker_->addTry(words, result.passed);
 }
 
@@ -297,7 +298,7 @@ void MainWindow::saveMade() {
     const Scenario scenario = exerciseMade();
     const std::string text = readWholeFile(scenario.file);
     const QImage picture = viewer_->grab().toImage();
-    save("Save exercise", "Exercises (*.toml)",
+    save(Words::tr("Save exercise"), Words::tr("Exercises (*.toml)"),
          QString::fromStdString(fileName(scenario.title) + ".toml"), [&](const std::string& file) {
            std::filesystem::path image = file;
            image.replace_extension(".png");

@@ -17,6 +17,7 @@
 #include <filesystem>
 
 #include "app/exercise/exercises_page.h"
+#include "app/language/words.h"
 #include "app/main_window.h"
 #include "app/say.h"
 #include "app/viewer.h"
@@ -63,7 +64,7 @@ bool MainWindow::load(const Scenario& scenario) {
   operations_.cancel();
   keepsView_ = false;
   if (session_) complaint_->hide();
-  const QString what = "Preparing: " + namesOf(scenario.organs);
+  const QString what = Words::tr("Preparing: %1").arg(namesOf(scenario.organs));
   showProgress(-1, what);
   loader_.load(
       asExercise(scenario), [this, what](double share) { showProgress(share, what); },
@@ -76,7 +77,8 @@ void MainWindow::openOperation(const QString& file, bool anew) {
   loader_.cancel();
   keepsView_ = anew;
   if (session_) complaint_->hide();
-  const QString what = anew ? "Beginning again ..." : "Opening the operation ...";
+  const QString what =
+      anew ? Words::tr("Beginning again ...") : Words::tr("Opening the operation ...");
   showProgress(-1, what);
   operations_.load(
       {file.toStdString(), anew, QSettings().value("record", true).toBool(),
@@ -104,7 +106,7 @@ void MainWindow::cancelLoading() {
   progress_->hide();
   cancel_->hide();
   if (session_) {
-    statusBar()->showMessage("Cancelled; nothing has changed", 4000);
+    statusBar()->showMessage(Words::tr("Cancelled; nothing has changed"), 4000);
   } else {
     loadDefault();
   }
@@ -161,8 +163,9 @@ bool MainWindow::begin(OrganLoader::Result result) {
     if (keepsView_ && session_) {
       session->room().camera()->copyFieldValues(session_->room().camera());
       statusBar()->showMessage(
-          recorder_ ? "Begun again; what was done before is in File > Recorded operations"
-                    : "Begun again",
+          recorder_
+              ? Words::tr("Begun again; what was done before is in File > Recorded operations")
+              : Words::tr("Begun again"),
           6000);
     }
     viewer_->show(nullptr);
@@ -176,7 +179,7 @@ bool MainWindow::begin(OrganLoader::Result result) {
     strokesNoted_.reset();
     operationFile_.clear();
     const std::string& title = result.scenario.title;
-    setWindowTitle(title.empty() ? QString("Resect") : "Resect - " + shown(title));
+    setWindowTitle(title.empty() ? QString("Resect") : "Resect - " + translated(title));
   } catch (const std::exception& e) {
     complain(e.what());
     return false;
@@ -193,11 +196,11 @@ bool MainWindow::begin(OrganLoader::Result result) {
   listInstruments();
   notRecorded_->setVisible(!recorder_);
   std::vector<QString> tools;
-  for (const ToolModel& tool : session_->toolModels()) tools.push_back(shown(tool.name));
+  for (const ToolModel& tool : session_->toolModels()) tools.push_back(translated(tool.name));
   timeline_->begin(tools, session_->scenario().frameRate);
   force_->begin(tools);
   QString notes;
-  for (const std::string& note : result.notes) notes += shown(note, kLongestSentence) + "\n";
+  for (const std::string& note : result.notes) notes += translated(note, kLongestSentence) + "\n";
   operation_->begin(session_->scenario(), notes.trimmed(), tools);
   beginExercise();
   const bool thesis = session_->scenario().mode == OperationMode::Thesis;
@@ -232,11 +235,12 @@ bool MainWindow::mayEnd() {
   if (!session_ || (recorder_ && recorder_->failure().empty())) return true;
   const std::shared_ptr<const Timeline> timeline = session_->state().timeline;
   const bool done = timeline && timeline->strokeCount() > strokesBefore_;
-  return !done || QMessageBox::question(
-                      this, "Resect",
-                      "This operation is not recorded: what was done will be lost. Leave it?",
-                      QMessageBox::Discard | QMessageBox::Cancel,
-                      QMessageBox::Cancel) == QMessageBox::Discard;
+  return !done ||
+         QMessageBox::question(
+             this, "Resect",
+             Words::tr("This operation is not recorded: what was done will be lost. Leave it?"),
+             QMessageBox::Discard | QMessageBox::Cancel,
+             QMessageBox::Cancel) == QMessageBox::Discard;
 }
 
 // All that was done, into a recording with a name.
@@ -260,7 +264,7 @@ void MainWindow::writeOperation(const std::string& file) {
   operationFile_ = file;
   setWindowTitle("Resect - " + shown(std::filesystem::path(file).filename().string()));
   remember(QString::fromStdString(file));
-  statusBar()->showMessage("Saved: " + shown(file, kLongestShownPath), 5000);
+  statusBar()->showMessage(Words::tr("Saved: %1").arg(shown(file, kLongestShownPath)), 5000);
   if (options_.reports) say("written {}", file);
 }
 
@@ -269,8 +273,9 @@ void MainWindow::saveOperation(bool elsewhere) {
   std::string file = operationFile_;
   if (recorder_ && (file.empty() || elsewhere)) {
     QString chosen = QFileDialog::getSaveFileName(
-        this, "Save operation", file.empty() ? "operation.resect" : QString::fromStdString(file),
-        "Operations (*.resect)");
+        this, Words::tr("Save operation"),
+        file.empty() ? "operation.resect" : QString::fromStdString(file),
+        Words::tr("Operations (*.resect)"));
     if (chosen.isEmpty()) return;
     if (!chosen.contains('.')) chosen += ".resect";
     file = chosen.toStdString();
@@ -296,11 +301,10 @@ void MainWindow::noteRecording() {
   settings.beginGroup(kNotes);
   settings.setValue(
       QString::fromStdString(recorder_->path().stem().string()),
-      QString("%1, %2, %3 %4")
-          .arg(scenario.title.empty() ? namesOf(scenario.organs) : shown(scenario.title))
+      (strokes == 1 ? Words::tr("%1, %2, %3 stroke") : Words::tr("%1, %2, %3 strokes"))
+          .arg(scenario.title.empty() ? namesOf(scenario.organs) : translated(scenario.title))
           .arg(clockText(double(end) / scenario.frameRate))
-          .arg(strokes)
-          .arg(strokes == 1 ? "stroke" : "strokes"));
+          .arg(strokes));
 }
 
 // The menu of what the window has recorded by itself.
@@ -323,7 +327,8 @@ void MainWindow::listRecordings() {
     if (const QString note = settings.value(name).toString(); !note.isEmpty()) text += note + ", ";
     text += megabytes(recording.bytes);
     text.replace('&', "&&");
-    QAction* action = recordings_->addAction(present ? text + "  (this one)" : text);
+    QAction* action =
+        recordings_->addAction(present ? Words::tr("%1  (this one)").arg(text) : text);
     action->setToolTip("<p>" + shownInHtml(recording.path.string()) + "</p>");
     action->setEnabled(!present);
     connect(action, &QAction::triggered, this, [this, path = recording.path] {
@@ -333,7 +338,7 @@ void MainWindow::listRecordings() {
   for (const QString& name : gone) settings.remove(name);
   recordings_->addSeparator();
   QAction* all = recordings_->addAction(
-      QString("The last %1 are kept; together %2").arg(kKeptRecordings).arg(megabytes(sum)));
+      Words::tr("The last %1 are kept; together %2").arg(kKeptRecordings).arg(megabytes(sum)));
   all->setEnabled(false);
   recordings_->addAction(recordingOn_);
 }

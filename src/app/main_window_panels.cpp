@@ -12,6 +12,7 @@
 
 #include "app/exercise/exercise_panel.h"
 #include "app/exercise/task_maker_panel.h"
+#include "app/language/words.h"
 #include "app/main_window.h"
 #include "app/say.h"
 #include "app/smooth_cells.h"
@@ -59,25 +60,38 @@ QScrollArea* scrolling(QWidget* content, int letters) {
 // How an instrument that follows the surface works while the left button is down.
 QString useOf(const std::string& kind) {
   constexpr std::pair<const char*, const char*> kUses[] = {
-      {"scalpel", "press the left button and draw: it cuts"},
-      {"hook", "press the left button and draw: it catches and pulls"},
-      {"baton", "hold the left button down: it pushes"},
-      {"scissors", "hold the left button down: they close"},
+      {"scalpel", QT_TRANSLATE_NOOP("window", "press the left button and draw: it cuts")},
+      {"hook", QT_TRANSLATE_NOOP("window", "press the left button and draw: it catches and pulls")},
+      {"baton", QT_TRANSLATE_NOOP("window", "hold the left button down: it pushes")},
+      {"scissors", QT_TRANSLATE_NOOP("window", "hold the left button down: they close")},
       {"suction",
-       "point at blood or a yellow ring, which marks what bleeds; hold the left button down"},
+       QT_TRANSLATE_NOOP(
+           "window",
+           "point at blood or a yellow ring, which marks what bleeds; hold the left button down")},
       {"clip_applier",
-       "point at a yellow ring, which marks what bleeds; press the left button: it clips"},
-      {"bipolar",
-       "point at a yellow ring, which marks what bleeds; hold the left button down 2 s: they seal"},
-      {"gauze",
-       "point at a yellow ring or a wound; hold the left button down: it presses, and soaks up"},
-      {"inflow_clamp", "hold the left button down beside the liver: it shuts the inflow"},
-      {"pencil",
-       "press the left button and draw: it cuts, and seals what it cuts slowly; P coagulates only"},
-      {"aspirator", "press the left button and draw: it takes tissue and leaves vessels"},
-      {"forceps", "press the left button and draw: they grasp and pull"}};
+       QT_TRANSLATE_NOOP(
+           "window",
+           "point at a yellow ring, which marks what bleeds; press the left button: it clips")},
+      {"bipolar", QT_TRANSLATE_NOOP("window",
+                                    "point at a yellow ring, which marks what bleeds; hold the "
+                                    "left button down 2 s: they seal")},
+      {"gauze", QT_TRANSLATE_NOOP("window",
+                                  "point at a yellow ring or a wound; hold the left button down: "
+                                  "it presses, and soaks up")},
+      {"inflow_clamp",
+       QT_TRANSLATE_NOOP("window",
+                         "hold the left button down beside the liver: it shuts the inflow")},
+      {"pencil", QT_TRANSLATE_NOOP("window",
+                                   "press the left button and draw: it cuts, and seals what it "
+                                   "cuts slowly; P coagulates only")},
+      {"aspirator",
+       QT_TRANSLATE_NOOP("window",
+                         "press the left button and draw: it takes tissue and leaves vessels")},
+      {"forceps",
+       QT_TRANSLATE_NOOP("window", "press the left button and draw: they grasp and pull")}};
   const auto* use = std::ranges::find(kUses, kind, [](const auto& one) { return one.first; });
-  return use == std::end(kUses) ? "hold the left button down: it works" : use->second;
+  return use == std::end(kUses) ? Words::tr("hold the left button down: it works")
+                                : Words::tr(use->second);
 }
 
 // The first tool in hand in the motions being played; -1 for none.
@@ -98,16 +112,17 @@ QString closedBy(const std::vector<BleedingEnd>& before, const std::vector<Bleed
     });
     if (!bleeds && (!most || end.flow > most->flow)) most = &end;
   }
-  if (!most) return "A clip was placed on a vessel that does not bleed";
+  if (!most) return Words::tr("A clip was placed on a vessel that does not bleed");
   std::string name;
   operation.look([&](const Simulation& s) {
     name = s.organs()[std::size_t(most->organ)].organ.map->nameOf(most->segment);
   });
   const double flow = 60e6 * most->flow;  // ml/min
-  const QString bled =
-      flow < 0.1 ? "hardly bled" : QString("bled %1 ml/min").arg(flow, 0, 'f', flow < 10 ? 1 : 0);
-  return QString("A clip was placed: the %1 of %2 mm %3")
-      .arg(QString::fromStdString(name))
+  const QString bled = flow < 0.1
+                           ? Words::tr("hardly bled")
+                           : Words::tr("bled %1 ml/min").arg(flow, 0, 'f', flow < 10 ? 1 : 0);
+  return Words::tr("A clip was placed: the %1 of %2 mm %3")
+      .arg(translated(name))
       .arg(2e3 * most->radius, 0, 'f', 1)
       .arg(bled);
 }
@@ -126,7 +141,7 @@ int workingTool(const LiveState& state) {
 
 void MainWindow::makeDocks() {
   hint_ = new HintBar;
-  hint_->say("One moment ...");
+  hint_->say(Words::tr("One moment ..."));
   auto* middle = new QWidget(this);
   auto* column = new QVBoxLayout(middle);
   column->setContentsMargins(0, 0, 0, 0);
@@ -136,7 +151,7 @@ void MainWindow::makeDocks() {
   setCentralWidget(middle);
 
   const auto dock = [&](const char* title, QWidget* content, int letters = kPanelLetters) {
-    auto* made = new QDockWidget(title, this);
+    auto* made = new QDockWidget(Words::tr(title), this);
     made->setObjectName(title);
     made->setWidget(scrolling(content, letters));
     addDockWidget(Qt::RightDockWidgetArea, made);
@@ -155,19 +170,22 @@ void MainWindow::makeDocks() {
   both->setContentsMargins(0, 0, 0, 0);
   both->addWidget(removed_, 1);
   both->addWidget(force_, 1);
-  exerciseDock_ = dock("Exercise", exercise_, kWideLetters);
+  exerciseDock_ = dock(QT_TRANSLATE_NOOP("window", "Exercise"), exercise_, kWideLetters);
   maker_ = new TaskMakerPanel;
-  makerDock_ = dock("Maker", maker_, kWideLetters);
+  makerDock_ = dock(QT_TRANSLATE_NOOP("window", "Maker"), maker_, kWideLetters);
   tabifyDockWidget(makerDock_, exerciseDock_);
   for (QDockWidget* hidden : {exerciseDock_, makerDock_}) hidden->hide();
-  traineePanels_ = {dock("Operation", operation_), dock("Instruments", instruments_)};
-  laboratoryPanels_ = {dock("Organ", organ_), dock("Curves", curves), dock("Timing", timing_)};
+  traineePanels_ = {dock(QT_TRANSLATE_NOOP("window", "Operation"), operation_),
+                    dock(QT_TRANSLATE_NOOP("window", "Instruments"), instruments_)};
+  laboratoryPanels_ = {dock(QT_TRANSLATE_NOOP("window", "Organ"), organ_),
+                       dock(QT_TRANSLATE_NOOP("window", "Curves"), curves),
+                       dock(QT_TRANSLATE_NOOP("window", "Timing"), timing_)};
   // In a low window they share one place.
   const bool tall = options_.height >= kTallWindow;
   if (!tall) tabifyDockWidget(laboratoryPanels_[0], laboratoryPanels_[1]);
   tabifyDockWidget(laboratoryPanels_[1], laboratoryPanels_[2]);
   for (QDockWidget* panel : laboratoryPanels_) panel->hide();
-  auto* below = new QDockWidget("Timeline", this);
+  auto* below = new QDockWidget(Words::tr("Timeline"), this);
   below->setObjectName("Timeline");
   below->setWidget(timeline_);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
@@ -251,36 +269,40 @@ void MainWindow::arrangePanels() {
 
 // What can be done next, in a sentence.
 QString MainWindow::nextStep() const {
-  if (marking_) return "Click on the organ to mark a place; right drag turns the view.";
+  if (marking_) return Words::tr("Click on the organ to mark a place; right drag turns the view.");
   if (attempt_ && attemptEnded_ && session_->showing())
-    return "The exercise is over: click a point in the list to see that moment again.";
+    return Words::tr("The exercise is over: click a point in the list to see that moment again.");
   const ToolHandling& tools = session_->tools();
-  if (session_->playing()) return "The scenario shows how; take an instrument to do it yourself.";
+  if (session_->playing())
+    return Words::tr("The scenario shows how; take an instrument to do it yourself.");
   if (session_->showing() && !timeline_->atEnd())
-    return "This is an earlier moment: work on from here, or press End to go back.";
-  const QString name = heldName("");
+    return Words::tr("This is an earlier moment: work on from here, or press End to go back.");
+  const QString name = heldName();
   const QString depth =
       tools.how() == ToolHandling::Hold::Guided
           ? tools.surfaceHand() && tools.surfaceHand()->target
-                ? QString("at the white ring")
-                : QString("%1 mm deep (wheel)").arg(std::lround(1e3 * tools.depth(tools.held())))
+                ? Words::tr("at the white ring")
+                : Words::tr("%1 mm deep (wheel)").arg(std::lround(1e3 * tools.depth(tools.held())))
           : QString();
   switch (tools.how()) {
     case ToolHandling::Hold::None:
-      return "Take an instrument: press its number, or click it in the list. F1 shows all "
-             "controls.";
+      return Words::tr(
+          "Take an instrument: press its number, or click it in the list. F1 shows all "
+          "controls.");
     case ToolHandling::Hold::Direct:
-      return name +
-             ": drag moves it, the wheel brings it nearer, Shift turns it; Escape puts it back.";
+      return Words::
+          tr("%1: drag moves it, the wheel brings it nearer, Shift turns it; Escape puts it back.")
+              .arg(name);
     case ToolHandling::Hold::Guided:
       if (tools.pressing())
-        return name + " at work, " + depth + howLongClosed() + "; F leaves it there.";
-      return name + ": " + useOf(session_->toolModels()[std::size_t(tools.held())].kind) + ", " +
-             depth + ".";
+        return Words::tr("%1 at work, %2; F leaves it there.").arg(name, depth + howLongClosed());
+      return Words::tr("%1: %2, %3.")
+          .arg(name, useOf(session_->toolModels()[std::size_t(tools.held())].kind), depth);
     case ToolHandling::Hold::HandleBox:
-      return name + " in a handle box: drag it to move it; middle click to turn it.";
+      return Words::tr("%1 in a handle box: drag it to move it; middle click to turn it.")
+          .arg(name);
     case ToolHandling::Hold::Trackball:
-      return name + " in a trackball: drag it to turn it; middle click to move it.";
+      return Words::tr("%1 in a trackball: drag it to turn it; middle click to move it.").arg(name);
   }
   return {};
 }
@@ -290,7 +312,7 @@ QString MainWindow::howLongClosed() const {
   const int held = session_->tools().held();
   if (held < 0 || session_->toolModels()[std::size_t(held)].kind != "bipolar") return {};
   const double closed = session_->state().time - jawsOpen_;
-  return QString(", closed for %1 s of about 2").arg(std::max(0.0, closed), 0, 'f', 1);
+  return Words::tr(", closed for %1 s of about 2").arg(std::max(0.0, closed), 0, 'f', 1);
 }
 
 // Says what closing the clip applier has done.
@@ -308,8 +330,9 @@ void MainWindow::followClips(const LiveState& state) {
       clipPlaced_ = state.time;
     else
       statusBar()->showMessage(
-          QString("No clip was placed: there is no open vessel within %1 mm of the jaws; point at "
-                  "a yellow ring, or change the depth with the wheel")
+          Words::tr(
+              "No clip was placed: there is no open vessel within %1 mm of the jaws; point at "
+              "a yellow ring, or change the depth with the wheel")
               .arg(1e3 * kClipReach, 0, 'f', 0),
           8000);
     if (options_.reports) say("clip {}", placed ? "placed" : "missed");

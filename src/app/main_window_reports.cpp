@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QScrollArea>
 #include <QSocketNotifier>
 #include <QTabBar>
 #include <sstream>
@@ -53,7 +54,7 @@ void MainWindow::listenToScript() {
         if (what == "save-picture") writePng(file, viewer_->grabPicture(true));
         if (what.starts_with("save")) say("written {}", file);
         if (what == "picture-size") resizePicture(file);
-        if (what == "places") reportPlaces();
+        if (what == "places" && session_) reportPlaces();
         if (what == "play") play(file.empty() ? 1e9 : std::stod(file));
       } catch (const std::exception& e) {
         complain(e.what());
@@ -139,6 +140,16 @@ void MainWindow::reportCutText() {
     if (button->isVisible() && !button->text().isEmpty() &&
         button->width() < button->minimumSizeHint().width())
       cut(button->text());
+  // A panel that cannot be scrolled sideways must not be narrower than what it has.
+  for (const QScrollArea* area : findChildren<QScrollArea*>()) {
+    const int wide = area->widget()->width(), seen = area->viewport()->width();
+    if (area->isVisible() && area->horizontalScrollBarPolicy() == Qt::ScrollBarAlwaysOff &&
+        wide > seen)
+      cut(QString("%1: %2 of %3 pixels")
+              .arg(area->parentWidget()->windowTitle())
+              .arg(seen)
+              .arg(wide));
+  }
   for (const QTabBar* tabs : findChildren<QTabBar*>())
     for (int i = 0; tabs->isVisible() && i < tabs->count(); ++i)
       if (!tabs->rect().contains(tabs->tabRect(i)) || tabs->elideMode() != Qt::ElideNone)

@@ -3,6 +3,7 @@
 #include <QMenu>
 #include <QMenuBar>
 
+#include "app/language/words.h"
 #include "app/main_window.h"
 #include "app/say.h"
 #include "app/viewer.h"
@@ -26,37 +27,38 @@ void MainWindow::makeTimelineMenu() {
   };
   timeline_->compare = [this] { compareBranches(); };
 
-  QMenu* menu = menuBar()->addMenu("&Timeline");
+  QMenu* menu = menuBar()->addMenu(Words::tr("&Timeline"));
   menu->setToolTipsVisible(true);
-  const auto add = [this, menu](const char* text, const QList<QKeySequence>& keys, const char* tip,
-                                auto act) {
+  const auto add = [this, menu](const QString& text, const QList<QKeySequence>& keys,
+                                const QString& tip, auto act) {
     QAction* action = menu->addAction(text);
     action->setShortcuts(keys);
     action->setToolTip(tip);
     connect(action, &QAction::triggered, this, act);
   };
   const auto second = [this] { return std::int64_t(timeline_->frameRate() + 0.5); };
-  add("One frame &back", {QKeySequence(Qt::Key_Comma)}, "Shows the frame before",
-      [this] { timeline_->step(-1); });
-  add("One frame &on", {QKeySequence(Qt::Key_Period)}, "Shows the frame after",
-      [this] { timeline_->step(1); });
-  add("One second b&ack", {QKeySequence("Ctrl+Left")}, "Shows what was a second before",
-      [this, second] { timeline_->step(-second()); });
-  add("One second o&n", {QKeySequence("Ctrl+Right")}, "Shows what was a second after",
-      [this, second] { timeline_->step(second()); });
-  add("To the &start", {QKeySequence("Ctrl+Home")}, "Shows the start of the operation",
-      [this] { timeline_->toStart(); });
-  add("To the &end", {QKeySequence(Qt::Key_End), QKeySequence("Ctrl+End")},
-      "Shows the end of the branch", [this] { timeline_->toEnd(); });
+  add(Words::tr("One frame &back"), {QKeySequence(Qt::Key_Comma)},
+      Words::tr("Shows the frame before"), [this] { timeline_->step(-1); });
+  add(Words::tr("One frame &on"), {QKeySequence(Qt::Key_Period)},
+      Words::tr("Shows the frame after"), [this] { timeline_->step(1); });
+  add(Words::tr("One second b&ack"), {QKeySequence("Ctrl+Left")},
+      Words::tr("Shows what was a second before"), [this, second] { timeline_->step(-second()); });
+  add(Words::tr("One second o&n"), {QKeySequence("Ctrl+Right")},
+      Words::tr("Shows what was a second after"), [this, second] { timeline_->step(second()); });
+  add(Words::tr("To the &start"), {QKeySequence("Ctrl+Home")},
+      Words::tr("Shows the start of the operation"), [this] { timeline_->toStart(); });
+  add(Words::tr("To the &end"), {QKeySequence(Qt::Key_End), QKeySequence("Ctrl+End")},
+      Words::tr("Shows the end of the branch"), [this] { timeline_->toEnd(); });
   menu->addSeparator();
-  add("&Play or stop", {QKeySequence("Ctrl+Space")}, "Plays again what happened after this moment",
+  add(Words::tr("&Play or stop"), {QKeySequence("Ctrl+Space")},
+      Words::tr("Plays again what happened after this moment"),
       [this] { timeline_->togglePlayback(); });
-  add("&Go on from here", {QKeySequence("Ctrl+Return")},
-      "Operates from the moment that is shown; what came after it stays as a branch",
+  add(Words::tr("&Go on from here"), {QKeySequence("Ctrl+Return")},
+      Words::tr("Operates from the moment that is shown; what came after it stays as a branch"),
       [this] { timeline_->goOn(); });
   menu->addSeparator();
-  add("&Compare branches ...", {QKeySequence("Ctrl+B")}, "All branches side by side",
-      [this] { compareBranches(); });
+  add(Words::tr("&Compare branches ..."), {QKeySequence("Ctrl+B")},
+      Words::tr("All branches side by side"), [this] { compareBranches(); });
 }
 
 void MainWindow::compareBranches() {

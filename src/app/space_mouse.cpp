@@ -1,5 +1,7 @@
 #include "app/space_mouse.h"
 
+#include <QCoreApplication>
+
 #include <spnav.h>
 #include <sys/socket.h>
 
@@ -16,8 +18,9 @@ SpaceMouse::~SpaceMouse() {
 }
 
 const char* SpaceMouse::status() const {
-  return connected() ? "A 3D mouse moves and turns what is in hand, or the view."
-                     : "No 3D mouse: spacenavd does not run.";
+  return connected() ? QT_TRANSLATE_NOOP("window",
+                                         "A 3D mouse moves and turns what is in hand, or the view.")
+                     : QT_TRANSLATE_NOOP("window", "No 3D mouse: spacenavd does not run.");
 }
 
 void SpaceMouse::read() {

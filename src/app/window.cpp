@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <cstdlib>
 
+#include "app/language/language.h"
 #include "app/main_window.h"
 #include "base/error.h"
 #include "inventor/init.h"
@@ -23,6 +24,7 @@ int showWindow(const WindowOptions& options) {
   QApplication application(count, arguments);
   QApplication::setOrganizationName("Resect");
   QApplication::setApplicationName("Resect");
+  useLanguage(options.language);
   initInventor();
   MainWindow window(options);
   window.show();

@@ -20,6 +20,7 @@ struct WindowOptions {
   // True: dark colours. False: light colours. Without a value: the colours that the user chose
   // last; dark colours if the user never chose.
   std::optional<bool> dark;
+  std::string language;  // see useLanguage() in app/language/language.h; empty: not given
 };
 
 // Opens the window and waits until the user closes it. Returns the exit status: 0 if nothing

@@ -21,7 +21,8 @@ class Screen:
                 break
         else:
             raise AssertionError("Xvfb does not start")
-        self.environment = {**os.environ, "DISPLAY": ":" + number,
+        # The language of whoever runs the tests is not that of the window.
+        self.environment = {**os.environ, "DISPLAY": ":" + number, "LC_ALL": "C.UTF-8", "LANGUAGE": "",
                             "QT_QPA_PLATFORM": "xcb", "XDG_CONFIG_HOME": str(folder / "config"),
                             "XDG_STATE_HOME": str(folder / "state"),
                             "XDG_RUNTIME_DIR": str(folder)}

@@ -48,7 +48,7 @@ class ExercisePanel : public QWidget {
   std::function<void(double seconds)> evidenceChosen;
 
  private:
-  QLabel* addLine(const char* name);
+  QLabel* addLine(const QString& name);
   void clearResult();
   // seconds: time of the attempt, s. blood: blood lost, ml. force: largest force, N. bleeding:
   // duration of the bleeding, s.

@@ -14,6 +14,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "app/language/words.h"
 #include "app/say.h"
 #include "skills/score/goal_result.h"
 
@@ -33,13 +34,13 @@ QString bestText(const std::string& scenario, const std::vector<HistoryEntry>& d
     if (!best || std::pair(one.passed, one.score) > std::pair(best->passed, best->score))
       best = &one;
   }
-  if (!best) return "Not tried yet";
-  return QString("Best: %1, %2 %, %3; %4 %5")
-      .arg(best->passed ? "passed" : "not passed")
+  if (!best) return Words::tr("Not tried yet");
+  const QString tries =
+      (attempts == 1 ? Words::tr("%1 attempt") : Words::tr("%1 attempts")).arg(attempts);
+  return (best->passed ? Words::tr("Best: passed, %1 %, %2; %3")
+                       : Words::tr("Best: not passed, %1 %, %2; %3"))
       .arg(std::lround(100 * best->score))
-      .arg(QString::fromStdString(std::string(wordOf(best->level))))
-      .arg(attempts)
-      .arg(attempts == 1 ? "attempt" : "attempts");
+      .arg(translated(std::string(wordOf(best->level))), tries);
 }
 
 QLabel* line(const QString& text, QWidget* parent) {
@@ -57,7 +58,7 @@ QPixmap pictureOf(const Exercise& exercise, const QPalette& palette) {
   QPainter painter(&ground);
   if (picture.isNull()) {
     painter.setPen(palette.color(QPalette::Mid));
-    painter.drawText(ground.rect(), Qt::AlignCenter | Qt::TextWordWrap, shown(exercise.title));
+    painter.drawText(ground.rect(), Qt::AlignCenter | Qt::TextWordWrap, translated(exercise.title));
   } else {
     const QPixmap fit =
         picture.scaled(ground.size(), Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
@@ -71,33 +72,33 @@ QPixmap pictureOf(const Exercise& exercise, const QPalette& palette) {
 }  // namespace
 
 ExercisesPage::ExercisesPage(QWidget* parent) : QWidget(parent) {
-  setAccessibleName("Exercises");
+  setAccessibleName(Words::tr("Exercises"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 10, 16, 10);
   auto* row = new QHBoxLayout;
-  auto* title = new QLabel("Exercises", this);
+  auto* title = new QLabel(Words::tr("Exercises"), this);
   QFont large = title->font();
   large.setPointSizeF(1.5 * large.pointSizeF());
   large.setBold(true);
   title->setFont(large);
   row->addWidget(title);
   row->addSpacing(20);
-  row->addWidget(new QLabel("Learner", this));
+  row->addWidget(new QLabel(Words::tr("Learner"), this));
   learner_ = new QComboBox(this);
   learner_->setEditable(true);
   learner_->setInsertPolicy(QComboBox::NoInsert);
   learner_->setMinimumWidth(180);
-  learner_->setAccessibleName("Learner");
-  learner_->setToolTip("A name or a pseudonym: attempts and results are kept under it");
+  learner_->setAccessibleName(Words::tr("Learner"));
+  learner_->setToolTip(Words::tr("A name or a pseudonym: attempts and results are kept under it"));
   connect(learner_, &QComboBox::textActivated, this, [this] { learnerChosen(); });
   connect(learner_->lineEdit(), &QLineEdit::editingFinished, this, [this] { learnerChosen(); });
   row->addWidget(learner_);
-  test_ = new QCheckBox("As a test", this);
+  test_ = new QCheckBox(Words::tr("As a test"), this);
   test_->setToolTip(
-      "Graded from the first attempt on, without guidance, and no work is taken back");
+      Words::tr("Graded from the first attempt on, without guidance, and no work is taken back"));
   row->addWidget(test_);
   row->addStretch();
-  const auto button = [&](const char* text, const char* tip, auto act) {
+  const auto button = [&](const QString& text, const QString& tip, auto act) {
     auto* made = new QPushButton(text, this);
     made->setToolTip(tip);
     connect(made, &QPushButton::clicked, this, act);
@@ -105,17 +106,20 @@ ExercisesPage::ExercisesPage(QWidget* parent) : QWidget(parent) {
     return made;
   };
   auto* table =
-      button("Class table", "Who passed what, and learning curves: a page for the teacher", [] {});
+      button(Words::tr("Class table"),
+             Words::tr("Who passed what, and learning curves: a page for the teacher"), [] {});
   auto* menu = new QMenu(table);
-  connect(menu->addAction("With pseudonyms"), &QAction::triggered, this,
+  connect(menu->addAction(Words::tr("With pseudonyms")), &QAction::triggered, this,
           [this] { classWanted(false); });
-  connect(menu->addAction("With the learners' names"), &QAction::triggered, this,
+  connect(menu->addAction(Words::tr("With the learners' names")), &QAction::triggered, this,
           [this] { classWanted(true); });
   table->setMenu(menu);
-  button("Add ...", "An exercise that somebody else has made (.toml)", [this] { addWanted(); });
-  button("Make one", "An exercise from what is on the screen: mark places on the organ",
+  button(Words::tr("Add ..."), Words::tr("An exercise that somebody else has made (.toml)"),
+         [this] { addWanted(); });
+  button(Words::tr("Make one"),
+         Words::tr("An exercise from what is on the screen: mark places on the organ"),
          [this] { makeWanted(); });
-  button("Close", "Back to the organ", [this] { closed(); });
+  button(Words::tr("Close"), Words::tr("Back to the organ"), [this] { closed(); });
   column->addLayout(row);
 
   scroll_ = new QScrollArea(this);
@@ -137,8 +141,8 @@ ExercisesPage::ExercisesPage(QWidget* parent) : QWidget(parent) {
   said_ = new QLabel(this);
   said_->setTextFormat(Qt::PlainText);
   foot->addWidget(said_);
-  auto* change = new QPushButton("Change folder ...", this);
-  change->setToolTip("Where attempts are kept, such as a folder that a class shares");
+  auto* change = new QPushButton(Words::tr("Change folder ..."), this);
+  change->setToolTip(Words::tr("Where attempts are kept, such as a folder that a class shares"));
   connect(change, &QPushButton::clicked, this, [this] { folderWanted(); });
   foot->addWidget(change);
   column->addLayout(foot);
@@ -158,16 +162,16 @@ QWidget* ExercisesPage::makeCard(const Exercise& exercise, const std::vector<His
   auto* column = new QVBoxLayout(card);
   auto* picture = new QLabel(card);
   picture->setPixmap(pictureOf(exercise, QApplication::palette()));
-  picture->setAccessibleName("Picture of " + shown(exercise.title));
+  picture->setAccessibleName(Words::tr("Picture of %1").arg(translated(exercise.title)));
   column->addWidget(picture);
-  QLabel* title = line(shown(exercise.title), card);
+  QLabel* title = line(translated(exercise.title), card);
   QFont bold = title->font();
   bold.setBold(true);
   bold.setPointSizeF(1.1 * bold.pointSizeF());
   title->setFont(bold);
   column->addWidget(title);
-  column->addWidget(line(shown(exercise.task.teaches, kLongestSentence), card));
-  column->addWidget(line(shown(goalSentence(exercise.task), kLongestSentence), card));
+  column->addWidget(line(translated(exercise.task.teaches, kLongestSentence), card));
+  column->addWidget(line(translated(goalSentence(exercise.task), kLongestSentence), card));
   column->addStretch();
   QLabel* best = line(bestText(exercise.name, done), card);
   best->setForegroundRole(QPalette::Link);
@@ -176,21 +180,22 @@ QWidget* ExercisesPage::makeCard(const Exercise& exercise, const std::vector<His
   auto* level = new QComboBox(card);
   const QString key = QString::fromStdString(exercise.file.string());
   for (const TaskLevel one : kTaskLevels)
-    level->addItem(QString::fromStdString(std::string(wordOf(one))), int(one));
+    level->addItem(translated(std::string(wordOf(one))), int(one));
   level->setCurrentIndex(levels_.value(key, int(exercise.task.level)));
-  level->setAccessibleName("Level of " + shown(exercise.title));
-  level->setToolTip("Easy, medium: guidance is shown; hard: none. Limits differ by level");
+  level->setAccessibleName(Words::tr("Level of %1").arg(translated(exercise.title)));
+  level->setToolTip(
+      Words::tr("Easy, medium: guidance is shown; hard: none. Limits differ by level"));
   connect(level, &QComboBox::currentIndexChanged, this, [this, key](int i) { levels_[key] = i; });
   row->addWidget(level);
-  auto* about = new QPushButton("About", card);
-  about->setAccessibleName("About " + shown(exercise.title));
+  auto* about = new QPushButton(Words::tr("About"), card);
+  about->setAccessibleName(Words::tr("About %1").arg(translated(exercise.title)));
   about->setToolTip(
-      "What this exercise teaches, its limits, and what studies have measured: a page");
+      Words::tr("What this exercise teaches, its limits, and what studies have measured: a page"));
   connect(about, &QPushButton::clicked, this, [this, exercise] { aboutWanted(exercise); });
   row->addWidget(about);
   row->addStretch();
-  auto* start = new QPushButton("Start", card);
-  start->setAccessibleName("Start " + shown(exercise.title));
+  auto* start = new QPushButton(Words::tr("Start"), card);
+  start->setAccessibleName(Words::tr("Start %1").arg(translated(exercise.title)));
   start->setDefault(true);
   connect(start, &QPushButton::clicked, this,
           [this, exercise, level] { started(exercise, TaskLevel(level->currentData().toInt())); });
@@ -208,7 +213,8 @@ void ExercisesPage::show(const std::vector<Exercise>& exercises,
     learner_->addItems(learners);
     learner_->setCurrentText(learner);
   }
-  folder_->setText("Attempts are kept in " + shown(folder.toStdString(), kLongestShownPath));
+  folder_->setText(
+      Words::tr("Attempts are kept in %1").arg(shown(folder.toStdString(), kLongestShownPath)));
   for (QWidget* card : cards_) card->deleteLater();
   cards_.clear();
   for (const Exercise& exercise : exercises) cards_.push_back(makeCard(exercise, done));

@@ -56,15 +56,15 @@ class TaskMakerPanel : public QWidget {
   std::function<void()> goalChanged, lastMarkRemoved, tried, saved, closed;
 
  private:
-  QDoubleSpinBox* number(const char* name, const char* tip, double least, double most, double value,
-                         const char* unit, int digits);
+  QDoubleSpinBox* number(const QString& name, const QString& tip, double least, double most,
+                         double value, const char* unit, int digits);
   struct Limit {
     const char* measure;
     std::array<QDoubleSpinBox*, 3> fields;  // one field per level of the exercise
     QWidget* row;
   };
-  Limit limit(const char* name, const char* measure, const char* tip, double most, const char* unit,
-              int digits, std::array<double, 3> values);
+  Limit limit(const QString& name, const char* measure, const QString& tip, double most,
+              const char* unit, int digits, std::array<double, 3> values);
   void addTries();
   void addButtons();
   void showFields();

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/language/words.h"
 #include "app/say.h"
+#include "io/organ_size.h"
 
 namespace resect {
 namespace {
@@ -57,40 +59,68 @@ std::vector<FilePart> fileParts(const QJsonObject& info) {
 }
 
 QString surfaceReport(const QJsonObject& info, bool roles) {
-  const auto count = [&](const char* field, const char* one, const char* many) {
+  const auto count = [&](const char* field, const QString& one, const QString& many) {
     const int n = info[field].toInt();
-    return QString("%L1 %2").arg(n).arg(n == 1 ? one : many);
+    return (n == 1 ? one : many).arg(n);
   };
-  const bool closed = info["closed"].toBool();
-  QString text = count("triangles", "triangle", "triangles") + ", " +
-                 count("components", "component", "components") + ", ";
-  text += closed ? "closed" : "open: " + count("boundary_edges", "boundary edge", "boundary edges");
-  if (!info["oriented"].toBool()) text += ", not wound one way";
-  if (info["inside_out"].toBool()) text += ", inside out (will be turned)";
+  QStringList facts{count("triangles", Words::tr("%L1 triangle"), Words::tr("%L1 triangles")),
+                    count("components", Words::tr("%L1 component"), Words::tr("%L1 components")),
+                    info["closed"].toBool()
+                        ? Words::tr("closed")
+                        : count("boundary_edges", Words::tr("open: %L1 boundary edge"),
+                                Words::tr("open: %L1 boundary edges"))};
+  if (!info["oriented"].toBool()) facts << Words::tr("not wound one way");
+  if (info["inside_out"].toBool()) facts << Words::tr("inside out (will be turned)");
   if (info["non_manifold_edges"].toInt() > 0)
-    text += ", " + count("non_manifold_edges", "edge", "edges") + " of more than two triangles";
+    facts << count("non_manifold_edges", Words::tr("%L1 edge of more than two triangles"),
+                   Words::tr("%L1 edges of more than two triangles"));
+  QString text = facts.join(", ");
   if (info["cavities"].toInt() > 0)
-    text += "\n" + count("cavities", "inner shell faces", "inner shells face") +
-            " inwards: a cavity without tissue";
+    text += "\n" + count("cavities",
+                         Words::tr("%L1 inner shell faces inwards: a cavity without tissue"),
+                         Words::tr("%L1 inner shells face inwards: a cavity without tissue"));
   if (info["shells_within"].toInt() > 0)
-    text += "\n" + count("shells_within", "inner shell faces", "inner shells face") +
-            " outwards, so that what it encloses is tissue; " +
-            (roles ? "if it is a cavity or a tumour, say so in the table"
-                   : "if it is a cavity, turn its faces inwards in the program that made it");
+    text +=
+        "\n" +
+        count("shells_within",
+              Words::tr("%L1 inner shell faces outwards, so that what it encloses is tissue;"),
+              Words::tr("%L1 inner shells face outwards, so that what it encloses is tissue;")) +
+        " " +
+        (roles
+             ? Words::tr("if it is a cavity or a tumour, say so in the table")
+             : Words::tr("if it is a cavity, turn its faces inwards in the program that made it"));
   return text;
 }
 
 QString imageReport(const QJsonObject& info) {
   QString text = info["format"].toString();
   for (const QJsonValue note : info["notes"].toArray())
-    text += "\n" + shown(note.toString().toStdString(), kLongestSentence);
+    text += "\n" + translated(note.toString(), kLongestSentence);
   return text;
+}
+
+QString organQuestion(bool folder) {
+  return folder
+             ? Words::tr("Which one file is the organ? Say it in the table; then it can be opened.")
+             : Words::tr("Which label is the organ? Say it in the table; then it can be opened.");
+}
+
+QString sizeText(double longest, double area, double volume, bool cavities) {
+  QString size = Words::tr("%1 mm long, skin %2 cm\u00b2")
+                     .arg(longest * 1e3, 0, 'g', 4)
+                     .arg(area * 1e4, 0, 'g', 4);
+  if (volume > 0) size += QString(", %1 ml").arg(volume * 1e6, 0, 'g', 5);
+  if (volume > 0 && cavities) size += Words::tr(" with its cavities");
+  if (!isOrganSized({Vec3::Zero(), Vec3::Constant(longest)}))
+    size +=
+        longest > 0.1 ? Words::tr("; no organ is so large") : Words::tr("; no organ is so small");
+  return size;
 }
 
 QString particlesText(double particles) {
   if (!(particles >= 1)) return "";
   const double digit = std::pow(10, std::max(0.0, std::floor(std::log10(particles)) - 1));
-  return QString("about %L1 particles").arg(qint64(digit * std::round(particles / digit)));
+  return Words::tr("about %L1 particles").arg(qint64(digit * std::round(particles / digit)));
 }
 
 double proposedSpacing(double usual, double volume, double wall) {

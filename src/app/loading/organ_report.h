@@ -31,6 +31,14 @@ QString surfaceReport(const QJsonObject& info, bool roles);
 // Text about a label image: its format, and the notes about what was taken from it.
 QString imageReport(const QJsonObject& info);
 
+// Asks which label of an image, or which image of a folder, is the organ.
+QString organQuestion(bool folder);
+
+// How large an organ is, and whether none is so large or so small. longest: longest side of its
+// box, m. area: of its surface, m^2. volume: m^3; 0: the surface is open. cavities: whether the
+// volume includes cavities.
+QString sizeText(double longest, double area, double volume, bool cavities);
+
 // "about 7,300 particles", with two significant digits; "" for less than one.
 QString particlesText(double particles);
 

@@ -9,6 +9,8 @@
 #include <QTimer>
 #include <span>
 
+#include "app/language/words.h"
+
 namespace resect {
 namespace {
 
@@ -62,13 +64,14 @@ qint64 Speaker::readData(char* bytes, qint64 most) {
 
 void addSoundItem(QMenu* menu, Speaker& speaker) {
   constexpr const char* kSetting = "sound";
-  QAction* item = menu->addAction("Sou&nd");
+  QAction* item = menu->addAction(Words::tr("Sou&nd"));
   item->setShortcut(QKeySequence("M"));
   item->setCheckable(true);
-  item->setToolTip("Suction, energy devices, and the monitor's beep at each beat of the heart");
+  item->setToolTip(
+      Words::tr("Suction, energy devices, and the monitor's beep at each beat of the heart"));
   const auto turn = [item, &speaker](bool on) {
     const bool plays = speaker.setOn(on);
-    if (on && !plays) item->setToolTip("This computer has no device for sound");
+    if (on && !plays) item->setToolTip(Words::tr("This computer has no device for sound"));
     item->setChecked(plays);
   };
   QObject::connect(item, &QAction::triggered, item, [turn](bool on) {

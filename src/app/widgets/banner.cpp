@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/language/words.h"
+
 namespace resect {
 
 Banner::Banner(QWidget* parent) : QFrame(parent), sentence_(new QLabel(this)) {
@@ -20,7 +22,7 @@ Banner::Banner(QWidget* parent) : QFrame(parent), sentence_(new QLabel(this)) {
   sentence_->setWordWrap(true);
   row->addWidget(sentence_, 1);
   auto* close = new QToolButton(this);
-  close->setText("Close");
+  close->setText(Words::tr("Close"));
   close->setFocusPolicy(Qt::TabFocus);
   connect(close, &QToolButton::clicked, this, &QWidget::hide);
   row->addWidget(close, 0, Qt::AlignTop);

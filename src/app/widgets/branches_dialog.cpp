@@ -6,6 +6,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "app/language/words.h"
 #include "app/say.h"
 #include "app/widgets/timeline_panel.h"
 
@@ -14,14 +15,16 @@ namespace resect {
 BranchesDialog::BranchesDialog(const Timeline& timeline, std::int64_t present, double frameRate,
                                QWidget* parent)
     : QDialog(parent) {
-  setWindowTitle("Branches");
-  const QStringList titles{"Branch",          "Begins at",       "Ends at",       "Strokes",
-                           "Removed, ml",     "Pieces",          "In pieces, ml", "Cut, cm\u00b2",
-                           "Bared, cm\u00b2", "Largest force, N"};
+  setWindowTitle(Words::tr("Branches"));
+  const QStringList titles{Words::tr("Branch"),          Words::tr("Begins at"),
+                           Words::tr("Ends at"),         Words::tr("Strokes"),
+                           Words::tr("Removed, ml"),     Words::tr("Pieces"),
+                           Words::tr("In pieces, ml"),   Words::tr("Cut, cm\u00b2"),
+                           Words::tr("Bared, cm\u00b2"), Words::tr("Largest force, N")};
   auto* table = new QTableWidget(0, int(titles.size()), this);
   table->setHorizontalHeaderLabels(titles);
   table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
-  table->setToolTip("Double click a name to change it");
+  table->setToolTip(Words::tr("Double click a name to change it"));
   table->setSelectionBehavior(QAbstractItemView::SelectRows);
   table->setSelectionMode(QAbstractItemView::SingleSelection);
   table->verticalHeader()->hide();
@@ -53,7 +56,8 @@ BranchesDialog::BranchesDialog(const Timeline& timeline, std::int64_t present, d
   table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-  auto* show = buttons->addButton("Show the end of this branch", QDialogButtonBox::ActionRole);
+  auto* show =
+      buttons->addButton(Words::tr("Show the end of this branch"), QDialogButtonBox::ActionRole);
   const auto choose = [this, table] {
     const QList<QTableWidgetItem*> chosen = table->selectedItems();
     if (chosen.isEmpty() || !wanted) return;

@@ -6,50 +6,79 @@
 #include <utility>
 #include <vector>
 
+#include "app/language/words.h"
+
 namespace resect {
 namespace {
 
-using Controls = std::vector<std::pair<const char*, const char*>>;
+using Controls = std::vector<std::pair<const char*, const char*>>;  // before translation
 
 const Controls kGuided = {
-    {"An instrument's number", "takes it; so does a click on it, or in the list"},
-    {"Move the mouse", "it hovers over the organ; the arrow is the way its edge faces"},
-    {"Press and draw", "it cuts, pulls or pushes until the button is released"},
-    {"Wheel, page keys", "deeper or shallower; Shift + wheel: turn its edge"},
-    {"F while pressing", "leaves it at work there; take another one meanwhile"},
-    {"Escape", "puts it back into the tool box"},
-    {"D, B, T; S", "move it freely, by handle box, trackball; along the surface again"},
-    {"P, the pencil in hand", "hold it down to press the pedal: it coagulates and does not cut"},
+    {QT_TRANSLATE_NOOP("window", "An instrument's number"),
+     QT_TRANSLATE_NOOP("window", "takes it; so does a click on it, or in the list")},
+    {QT_TRANSLATE_NOOP("window", "Move the mouse"),
+     QT_TRANSLATE_NOOP("window", "it hovers over the organ; the arrow is the way its edge faces")},
+    {QT_TRANSLATE_NOOP("window", "Press and draw"),
+     QT_TRANSLATE_NOOP("window", "it cuts, pulls or pushes until the button is released")},
+    {QT_TRANSLATE_NOOP("window", "Wheel, page keys"),
+     QT_TRANSLATE_NOOP("window", "deeper or shallower; Shift + wheel: turn its edge")},
+    {QT_TRANSLATE_NOOP("window", "F while pressing"),
+     QT_TRANSLATE_NOOP("window", "leaves it at work there; take another one meanwhile")},
+    {QT_TRANSLATE_NOOP("window", "Escape"),
+     QT_TRANSLATE_NOOP("window", "puts it back into the tool box")},
+    {QT_TRANSLATE_NOOP("window", "D, B, T; S"),
+     QT_TRANSLATE_NOOP("window",
+                       "move it freely, by handle box, trackball; along the surface again")},
+    {QT_TRANSLATE_NOOP("window", "P, the pencil in hand"),
+     QT_TRANSLATE_NOOP("window",
+                       "hold it down to press the pedal: it coagulates and does not cut")},
 };
 
 // In the thesis's mode, where instruments do not follow the surface.
 const Controls kThesis = {
-    {"Drag an instrument", "move it across the view"},
-    {"Wheel", "move it in depth; Shift: roll it"},
-    {"Shift + drag", "turn it about its tip"},
-    {"An instrument's number", "takes it"},
-    {"C", "hold it down to close the scissors"},
-    {"Arrow keys, page keys", "move in steps; with Shift: turn"},
-    {"Click an instrument", "handle box, the precise way; middle click: trackball"},
-    {"Click elsewhere / Escape", "let go / back into the tool box"},
+    {QT_TRANSLATE_NOOP("window", "Drag an instrument"),
+     QT_TRANSLATE_NOOP("window", "move it across the view")},
+    {QT_TRANSLATE_NOOP("window", "Wheel"),
+     QT_TRANSLATE_NOOP("window", "move it in depth; Shift: roll it")},
+    {QT_TRANSLATE_NOOP("window", "Shift + drag"),
+     QT_TRANSLATE_NOOP("window", "turn it about its tip")},
+    {QT_TRANSLATE_NOOP("window", "An instrument's number"),
+     QT_TRANSLATE_NOOP("window", "takes it")},
+    {QT_TRANSLATE_NOOP("window", "C"),
+     QT_TRANSLATE_NOOP("window", "hold it down to close the scissors")},
+    {QT_TRANSLATE_NOOP("window", "Arrow keys, page keys"),
+     QT_TRANSLATE_NOOP("window", "move in steps; with Shift: turn")},
+    {QT_TRANSLATE_NOOP("window", "Click an instrument"),
+     QT_TRANSLATE_NOOP("window", "handle box, the precise way; middle click: trackball")},
+    {QT_TRANSLATE_NOOP("window", "Click elsewhere / Escape"),
+     QT_TRANSLATE_NOOP("window", "let go / back into the tool box")},
 };
 
 const Controls kAlways = {
-    {"Right drag, Ctrl + wheel", "look round, zoom to the pointer; L, then a click: look there"},
-    {"Ctrl + 1 2 3 4", "surgeon, assistant, top, laparoscope"},
-    {"Ctrl + Z", "takes the last stroke back; with Shift does it again"},
-    {"Drag in the timeline", "shows any earlier moment; End: back to the end"},
-    {"Ctrl + S, Ctrl + O", "save the operation; open one and go on"},
-    {"Ctrl + T", "exercises with a goal, guidance and a result"},
-    {"P, Ctrl + N", "play the scenario's motions; begin again"},
-    {"Space, A", "bring back view and instruments; show all there is"},
-    {"F2", "the laboratory: cells, surface, timing"},
+    {QT_TRANSLATE_NOOP("window", "Right drag, Ctrl + wheel"),
+     QT_TRANSLATE_NOOP("window", "look round, zoom to the pointer; L, then a click: look there")},
+    {QT_TRANSLATE_NOOP("window", "Ctrl + 1 2 3 4"),
+     QT_TRANSLATE_NOOP("window", "surgeon, assistant, top, laparoscope")},
+    {QT_TRANSLATE_NOOP("window", "Ctrl + Z"),
+     QT_TRANSLATE_NOOP("window", "takes the last stroke back; with Shift does it again")},
+    {QT_TRANSLATE_NOOP("window", "Drag in the timeline"),
+     QT_TRANSLATE_NOOP("window", "shows any earlier moment; End: back to the end")},
+    {QT_TRANSLATE_NOOP("window", "Ctrl + S, Ctrl + O"),
+     QT_TRANSLATE_NOOP("window", "save the operation; open one and go on")},
+    {QT_TRANSLATE_NOOP("window", "Ctrl + T"),
+     QT_TRANSLATE_NOOP("window", "exercises with a goal, guidance and a result")},
+    {QT_TRANSLATE_NOOP("window", "P, Ctrl + N"),
+     QT_TRANSLATE_NOOP("window", "play the scenario's motions; begin again")},
+    {QT_TRANSLATE_NOOP("window", "Space, A"),
+     QT_TRANSLATE_NOOP("window", "bring back view and instruments; show all there is")},
+    {QT_TRANSLATE_NOOP("window", "F2"),
+     QT_TRANSLATE_NOOP("window", "the laboratory: cells, surface, timing")},
 };
 
 }  // namespace
 
 ControlsOverlay::ControlsOverlay(QWidget* parent) : QWidget(parent) {
-  setAccessibleName("Controls");
+  setAccessibleName(Words::tr("Controls"));
   hide();
 }
 
@@ -70,8 +99,8 @@ void ControlsOverlay::paintEvent(QPaintEvent*) {
   bold.setBold(true);
   int keys = 0, words = 0;
   for (const auto& [key, what] : controls) {
-    keys = std::max(keys, QFontMetrics(bold).horizontalAdvance(key));
-    words = std::max(words, metrics.horizontalAdvance(what));
+    keys = std::max(keys, QFontMetrics(bold).horizontalAdvance(Words::tr(key)));
+    words = std::max(words, metrics.horizontalAdvance(Words::tr(what)));
   }
   const QRect box(0, 0, keys + words + 84, row * (rows + 2) + 36);
   // Scaled down in a small window, never cut off.
@@ -84,19 +113,20 @@ void ControlsOverlay::paintEvent(QPaintEvent*) {
   painter.drawRoundedRect(box, 12, 12);
   painter.setFont(bold);
   painter.setPen(QColor(235, 245, 248));
-  painter.drawText(28, 18 + metrics.ascent(), "Take an instrument and work on the organ");
+  painter.drawText(28, 18 + metrics.ascent(),
+                   Words::tr("Take an instrument and work on the organ"));
   int y = 18 + row + 8;
   for (const auto& [key, what] : controls) {
     painter.setFont(bold);
     painter.setPen(QColor(150, 210, 220));
-    painter.drawText(28, y + metrics.ascent(), key);
+    painter.drawText(28, y + metrics.ascent(), Words::tr(key));
     painter.setFont(font());
     painter.setPen(QColor(225, 232, 235));
-    painter.drawText(28 + keys + 28, y + metrics.ascent(), what);
+    painter.drawText(28 + keys + 28, y + metrics.ascent(), Words::tr(what));
     y += row;
   }
   painter.setPen(QColor(140, 155, 160));
-  painter.drawText(28, y + 6 + metrics.ascent(), "Click to begin. F1 shows this again.");
+  painter.drawText(28, y + 6 + metrics.ascent(), Words::tr("Click to begin. F1 shows this again."));
 }
 
 }  // namespace resect

@@ -5,17 +5,19 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "app/language/words.h"
+
 namespace resect {
 
 HintBar::HintBar(QWidget* parent)
     : QWidget(parent),
-      exercises_(new QPushButton("Exercises", this)),
+      exercises_(new QPushButton(Words::tr("Exercises"), this)),
       sentence_(new QLabel(this)),
       mend_(new QPushButton(this)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(10, 4, 10, 4);
   exercises_->setFocusPolicy(Qt::TabFocus);
-  exercises_->setToolTip("Exercises with a goal and a result (Ctrl+T)");
+  exercises_->setToolTip(Words::tr("Exercises with a goal and a result (Ctrl+T)"));
   connect(exercises_, &QPushButton::clicked, this, [this] {
     if (exercisesWanted) exercisesWanted();
   });
@@ -27,11 +29,11 @@ HintBar::HintBar(QWidget* parent)
   QFont large = sentence_->font();
   large.setPointSizeF(1.15 * large.pointSizeF());
   sentence_->setFont(large);
-  sentence_->setAccessibleName("What to do next");
+  sentence_->setAccessibleName(Words::tr("What to do next"));
   mend_->setFocusPolicy(Qt::TabFocus);
-  mend_->setToolTip(
+  mend_->setToolTip(Words::tr(
       "The simulation is slower than real time. Larger cells are faster; the operation begins "
-      "again, and what was done stays in File > Recorded operations");
+      "again, and what was done stays in File > Recorded operations"));
   mend_->hide();
   connect(mend_, &QPushButton::clicked, this, [this] {
     if (accepted && offered_ > 0) accepted(offered_);
@@ -54,7 +56,7 @@ void HintBar::reserve(int lines) {
 void HintBar::offerCells(int millimetres) {
   if (millimetres == offered_) return;
   offered_ = millimetres;
-  mend_->setText(QString("Make it smooth: cells of %1 mm").arg(millimetres));
+  mend_->setText(Words::tr("Make it smooth: cells of %1 mm").arg(millimetres));
   mend_->setVisible(millimetres > 0);
   keepHeight();
 }

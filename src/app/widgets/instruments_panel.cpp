@@ -3,6 +3,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/language/words.h"
 #include "app/say.h"
 #include "inventor/hand/tool_keys.h"
 
@@ -20,11 +21,12 @@ void InstrumentsPanel::setTools(const std::vector<ToolModel>& tools) {
   for (std::size_t i = 0; i < tools.size(); ++i) {
     auto* button = new QToolButton(this);
     const QString key = QString::fromStdString(keyOfTool(i));
-    names_.push_back(QString("%1   %2").arg(key, shown(tools[i].name)));
+    names_.push_back(QString("%1   %2").arg(key, translated(tools[i].name)));
     button->setText(names_.back());
-    button->setToolTip(QString("<p>%1<br>Key %2 takes it in hand; Escape puts it back.</p>")
-                           .arg(shownInHtml(tools[i].description), key));
-    button->setAccessibleName(shown(tools[i].name));
+    button->setToolTip("<p>" + translatedInHtml(tools[i].description) + "<br>" +
+                       Words::tr("Key %1 takes it in hand; Escape puts it back.").arg(key) +
+                       "</p>");
+    button->setAccessibleName(translated(tools[i].name));
     button->setCheckable(true);
     button->setFocusPolicy(Qt::TabFocus);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -39,7 +41,7 @@ void InstrumentsPanel::setTools(const std::vector<ToolModel>& tools) {
 void InstrumentsPanel::show(int held, const std::vector<std::uint8_t>& left) {
   for (std::size_t i = 0; i < buttons_.size(); ++i) {
     buttons_[i]->setChecked(int(i) == held);
-    const QString text = left[i] ? names_[i] + "   (at work)" : names_[i];
+    const QString text = left[i] ? Words::tr("%1   (at work)").arg(names_[i]) : names_[i];
     if (buttons_[i]->text() != text) buttons_[i]->setText(text);
   }
 }

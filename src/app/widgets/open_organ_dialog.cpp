@@ -22,6 +22,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "app/language/words.h"
 #include "app/loading/organ_report.h"
 #include "app/say.h"
 #include "app/widgets/parts_table.h"
@@ -42,7 +43,7 @@ OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& bef
       file_(file),
       isFolder_(std::filesystem::is_directory(file)),
       before_(before) {
-  setWindowTitle("Open organ");
+  setWindowTitle(Words::tr("Open organ"));
   auto* columns = new QHBoxLayout(this);
   auto* form = form_ = new QFormLayout;
   auto* left = new QVBoxLayout;
@@ -55,14 +56,14 @@ OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& bef
   pictures->addWidget(surface_, 0, Qt::AlignHCenter);
   form->addRow(
       new QLabel("<b>" + shownInHtml(std::filesystem::path(file).filename().string()) + "</b>"));
-  report_ = new QLabel("Reading ...");
+  report_ = new QLabel(Words::tr("Reading ..."));
   report_->setTextFormat(Qt::PlainText);
   report_->setWordWrap(true);
   report_->setMinimumWidth(440);
   form->addRow(report_);
   slices_ = new QLabel;
-  slices_->setToolTip(
-      "From below, from the front and from the left; the patient's right is on the left");
+  slices_->setToolTip(Words::tr(
+      "From below, from the front and from the left; the patient's right is on the left"));
   slices_->setAlignment(Qt::AlignCenter);
   slices_->hide();
   pictures->addWidget(slices_);
@@ -73,59 +74,63 @@ OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& bef
   busy_->setFixedHeight(6);
   form->addRow(busy_);
   unit_ = new QComboBox;
-  const std::pair<const char*, double> units[] = {{"metre", 1},
-                                                  {"centimetre", 0.01},
-                                                  {"millimetre", 0.001},
-                                                  {"micrometre", 1e-6},
-                                                  {"inch", 0.0254}};
-  for (const auto& [name, metres] : units) unit_->addItem(name, metres);
+  const std::pair<const char*, double> units[] = {
+      {QT_TRANSLATE_NOOP("window", "metre"), 1},
+      {QT_TRANSLATE_NOOP("window", "centimetre"), 0.01},
+      {QT_TRANSLATE_NOOP("window", "millimetre"), 0.001},
+      {QT_TRANSLATE_NOOP("window", "micrometre"), 1e-6},
+      {QT_TRANSLATE_NOOP("window", "inch"), 0.0254}};
+  for (const auto& [name, metres] : units) unit_->addItem(Words::tr(name), metres);
   size_ = new QLabel;
   unit_->setToolTip(
-      "What the file's numbers count; the guess is the one that gives an organ's size");
-  size_->setToolTip("Of what is opened, in that unit");
-  form->addRow("One unit of the file is a", unit_);
-  form->addRow("Size", size_);
+      Words::tr("What the file's numbers count; the guess is the one that gives an organ's size"));
+  size_->setToolTip(Words::tr("Of what is opened, in that unit"));
+  form->addRow(Words::tr("One unit of the file is a"), unit_);
+  form->addRow(Words::tr("Size"), size_);
   part_ = new QComboBox;
-  part_->addItem("all parts together", QString());
-  part_->setToolTip("One named part of the file, or all of them as one body");
-  form->addRow("Part", part_);
+  part_->addItem(Words::tr("all parts together"), QString());
+  part_->setToolTip(Words::tr("One named part of the file, or all of them as one body"));
+  form->addRow(Words::tr("Part"), part_);
   roles_ = new PartsTable;
   roles_->changed = [this] { examine(); };
   form->addRow(roles_);
   form->setRowVisible(roles_, false);
-  repair_ = new QCheckBox("Close holes");
-  repair_->setToolTip("An open surface has no inside; its holes can be closed");
+  repair_ = new QCheckBox(Words::tr("Close holes"));
+  repair_->setToolTip(Words::tr("An open surface has no inside; its holes can be closed"));
   form->addRow(repair_);
   spacing_ = new QDoubleSpinBox;
   spacing_->setRange(1, 30);
   spacing_->setDecimals(1);
   spacing_->setSuffix(" mm");
   spacing_->setValue(before.spacing.value_or(0.005) * 1e3);
-  spacing_->setToolTip("Side of the cells: smaller shows and cuts finer, and costs more");
+  spacing_->setToolTip(
+      Words::tr("Side of the cells: smaller shows and cuts finer, and costs more"));
   connect(spacing_, &QDoubleSpinBox::valueChanged, this, [this] {
     spacingChosen_ = true;
     tellParticles();
   });
   particles_ = new QLabel;
-  particles_->setToolTip("Particles that the organ will have; more of them cost more time");
+  particles_->setToolTip(
+      Words::tr("Particles that the organ will have; more of them cost more time"));
   auto* cells = new QHBoxLayout;
   cells->addWidget(spacing_, 1);
   cells->addWidget(particles_, 1);
-  form->addRow("Spacing", cells);
+  form->addRow(Words::tr("Spacing"), cells);
   axes_ = new QComboBox;
-  axes_->addItem("x left, y front, z feet: as the room", "");
-  axes_->addItem("x left, y back, z head: LPS, as DICOM", "LPS");
-  axes_->addItem("x right, y front, z head: RAS, as 3D Slicer", "RAS");
-  axes_->addItem("x left, y head, z front: as glTF", "LSA");
-  axes_->setToolTip("Where the file's axes point in the patient, who lies on the back");
+  axes_->addItem(Words::tr("x left, y front, z feet: as the room"), "");
+  axes_->addItem(Words::tr("x left, y back, z head: LPS, as DICOM"), "LPS");
+  axes_->addItem(Words::tr("x right, y front, z head: RAS, as 3D Slicer"), "RAS");
+  axes_->addItem(Words::tr("x left, y head, z front: as glTF"), "LSA");
+  axes_->setToolTip(Words::tr("Where the file's axes point in the patient, who lies on the back"));
   connect(axes_, &QComboBox::currentIndexChanged, this, [this] { showSurface(); });
-  form->addRow("Axes of the file", axes_);
-  form->addRow("Turn about X, Y, Z", turnRow());
+  form->addRow(Words::tr("Axes of the file"), axes_);
+  form->addRow(Words::tr("Turn about X, Y, Z"), turnRow());
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel);
   open_ = buttons->button(QDialogButtonBox::Open);
   open_->setEnabled(false);
-  open_->setToolTip("Makes the organ; what is operated on now is replaced when it is ready");
-  buttons->button(QDialogButtonBox::Cancel)->setToolTip("Nothing changes");
+  open_->setToolTip(
+      Words::tr("Makes the organ; what is operated on now is replaced when it is ready"));
+  buttons->button(QDialogButtonBox::Cancel)->setToolTip(Words::tr("Nothing changes"));
   form->addRow(buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, [this] {
@@ -188,13 +193,14 @@ void OpenOrganDialog::showSurface() {
 
 QHBoxLayout* OpenOrganDialog::turnRow() {
   auto* row = new QHBoxLayout;
-  const char* axes[] = {"the patient's left", "up", "the patient's feet"};
+  const QString axes[] = {Words::tr("the patient's left"), Words::tr("up"),
+                          Words::tr("the patient's feet")};
   for (int a = 0; a < 3; ++a) {
     QSpinBox* turn = turns_[std::size_t(a)] = new QSpinBox;
     turn->setRange(-180, 180);
     turn->setSingleStep(90);
     turn->setSuffix("\u00b0");
-    turn->setToolTip(QString("Turns the organ about the axis that points to %1").arg(axes[a]));
+    turn->setToolTip(Words::tr("Turns the organ about the axis that points to %1").arg(axes[a]));
     connect(turn, &QSpinBox::valueChanged, this, [this] { showSurface(); });
     row->addWidget(turn);
   }
@@ -222,15 +228,9 @@ void OpenOrganDialog::tell(const QString& text) {
 
 void OpenOrganDialog::unitChanged() {
   const double metres = unit_->currentData().toDouble();
-  QString size = QString("%1 mm long, skin %2 cm\u00b2")
-                     .arg(longest_ * metres * 1e3, 0, 'g', 4)
-                     .arg(area_ * metres * metres * 1e4, 0, 'g', 4);
-  if (volume_ > 0) size += QString(", %1 ml").arg(volume_ * std::pow(metres, 3) * 1e6, 0, 'g', 5);
   const double cavities = cavityVolume();
-  if (volume_ > 0 && cavities > 0) size += " with its cavities";
-  if (!isOrganSized({Vec3::Zero(), Vec3::Constant(longest_ * metres)}))
-    size += "; no organ is so " + QString(longest_ * metres > 0.1 ? "large" : "small");
-  size_->setText(size);
+  size_->setText(sizeText(longest_ * metres, area_ * metres * metres, volume_ * std::pow(metres, 3),
+                          cavities > 0));
   // An open surface will enclose about what an ellipsoid in its box does.
   const double about = (volume_ > 0 ? volume_ : std::numbers::pi / 6 * boxVolume_) - cavities;
   if (!spacingChosen_ && about > 0)
@@ -267,25 +267,24 @@ bool OpenOrganDialog::show(const std::string& json, const std::string& problem) 
   if (!problem.empty()) {
     for (int row = 2; longest_ == 0 && row + 1 < form_->rowCount(); ++row)
       form_->setRowVisible(row, false);  // there is nothing to choose
-    tell(shown(problem, kLongestSentence));
+    tell(translated(problem, kLongestSentence));
     return true;
   }
   const QJsonObject info = QJsonDocument::fromJson(QByteArray::fromStdString(json)).object();
   if (info.isEmpty()) {
-    tell("the report cannot be read");
+    tell(Words::tr("the report cannot be read"));
     return true;
   }
   isImage_ = info.contains("labels");
   if (isImage_) showSlices();
   if (!roles_->filled()) listRoles(info);
   if (isImage_ && !info.contains("closed")) {  // no organ was found in it
-    tell(hasRoles() ? QString("Which %1 is the organ? Say it in the table; then it can be opened.")
-                          .arg(isFolder_ ? "one file" : "label")
-                    : shown(info["refusal"].toString().toStdString(), kLongestSentence));
+    tell(hasRoles() ? organQuestion(isFolder_)
+                    : translated(info["refusal"].toString(), kLongestSentence));
     return true;
   }
   if (isFolder_ && hasRoles())
-    tell(QString("%1 label images").arg(info["files"].toArray().size()));
+    tell(Words::tr("%1 label images").arg(info["files"].toArray().size()));
   else
     tell(isImage_ ? imageReport(info) : surfaceReport(info, hasRoles()));
   repair_->setChecked(!info["closed"].toBool());
@@ -308,7 +307,7 @@ bool OpenOrganDialog::show(const std::string& json, const std::string& problem) 
   const bool toldByFile = isImage_ || info["format"].toString() == "3MF";
   if (toldByFile && unit_->isEnabled()) {
     unit_->setEnabled(false);
-    unit_->insertItem(0, "metre, converted from the file's own unit", 1.0);
+    unit_->insertItem(0, Words::tr("metre, converted from the file's own unit"), 1.0);
   }
   if (toldByFile || part_->currentData().toString() == kOrganNode)
     unit_->setCurrentIndex(0);
@@ -343,7 +342,7 @@ void OpenOrganDialog::listRoles(const QJsonObject& info) {
   }
   if (parts.size() < 2) return;
   roles_->fill(parts, isImage_);
-  part_->setItemText(0, "by their roles");
+  part_->setItemText(0, Words::tr("by their roles"));
   form_->setRowVisible(roles_, hasRoles());
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/language/words.h"
 #include "app/say.h"
 #include "app/widgets/timeline_panel.h"
 
@@ -22,7 +23,7 @@ QString narrowestMargin(const Ledger& ledger) {
           (!nearest || *label.margin < *nearest->margin))
         nearest = &label;
   if (!nearest) return {};
-  return QString("%1 mm, %2").arg(*nearest->margin * 1e3, 0, 'f', 1).arg(shown(nearest->name));
+  return QString("%1 mm, %2").arg(*nearest->margin * 1e3, 0, 'f', 1).arg(translated(nearest->name));
 }
 
 }  // namespace
@@ -36,24 +37,27 @@ OperationPanel::OperationPanel(QWidget* parent)
     label->setWordWrap(true);
     form_->addRow(label);
   }
-  title_->setAccessibleName("Title of the operation");
-  task_->setAccessibleName("Task");
+  title_->setAccessibleName(Words::tr("Title of the operation"));
+  task_->setAccessibleName(Words::tr("Task"));
   QFont bold = title_->font();
   bold.setBold(true);
   title_->setFont(bold);
-  time_ = addRow("Time", "Since the operation began");
-  blood_ = addRow("Blood lost", "All blood that has left the vessels");
-  bleeding_ = addRow("Bleeding", "Blood that leaves the vessels at present");
-  grade_ = addRow("Severity", "Grade of the bleeding (VIBe): 0 none to 4 life-threatening");
-  removed_ = addRow("Removed", "Tissue taken out");
-  pieces_ = addRow("Cut off", "Pieces that hang together with the organ no more");
-  cut_ = addRow("Incisions", "Area of all cuts");
-  margin_ = addRow("Margin", "Least distance of a structure from a cut");
-  force_ = addRow("Force", "What the hand feels on the instrument");
-  most_ = addRow("Most", "The largest force so far, and the instrument that met it");
+  time_ = addRow(Words::tr("Time"), Words::tr("Since the operation began"));
+  blood_ = addRow(Words::tr("Blood lost"), Words::tr("All blood that has left the vessels"));
+  bleeding_ = addRow(Words::tr("Bleeding"), Words::tr("Blood that leaves the vessels at present"));
+  grade_ = addRow(Words::tr("Severity"),
+                  Words::tr("Grade of the bleeding (VIBe): 0 none to 4 life-threatening"));
+  removed_ = addRow(Words::tr("Removed"), Words::tr("Tissue taken out"));
+  pieces_ =
+      addRow(Words::tr("Cut off"), Words::tr("Pieces that hang together with the organ no more"));
+  cut_ = addRow(Words::tr("Incisions"), Words::tr("Area of all cuts"));
+  margin_ = addRow(Words::tr("Margin"), Words::tr("Least distance of a structure from a cut"));
+  force_ = addRow(Words::tr("Force"), Words::tr("What the hand feels on the instrument"));
+  most_ = addRow(Words::tr("Most"),
+                 Words::tr("The largest force so far, and the instrument that met it"));
 }
 
-OperationPanel::Row OperationPanel::addRow(const char* name, const char* tip) {
+OperationPanel::Row OperationPanel::addRow(const QString& name, const QString& tip) {
   const Row row{new QLabel(name, this), new QLabel(this)};
   row.name->setToolTip(tip);
   row.value->setToolTip(tip);
@@ -75,10 +79,10 @@ void OperationPanel::begin(const Scenario& scenario, const QString& notes,
                            const std::vector<QString>& tools) {
   tools_ = tools;
   frameRate_ = scenario.frameRate;
-  title_->setText(shown(scenario.title, kLongestSentence));
+  title_->setText(translated(scenario.title, kLongestSentence));
   title_->setVisible(!scenario.title.empty());
   task_->setText(scenario.description.empty() ? notes
-                                              : shown(scenario.description, kLongestSentence));
+                                              : translated(scenario.description, kLongestSentence));
   task_->setVisible(!task_->text().isEmpty());
 }
 
@@ -86,13 +90,13 @@ void OperationPanel::follow(const LiveState& state, int held) {
   set(time_, clockText(double(state.moment.frame) / frameRate_));
   set(blood_, state.bleeds ? millilitres(state.bled) : QString());
   set(bleeding_,
-      state.bleeds ? QString("%1 ml/min").arg(state.bleedingRate * 60e6, 0, 'f', 0) : QString());
-  set(grade_, state.bleeds ? QString("%1 of 4").arg(bleedingGrade(state.bleedingRate)) : QString());
+      state.bleeds ? Words::tr("%1 ml/min").arg(state.bleedingRate * 60e6, 0, 'f', 0) : QString());
+  set(grade_,
+      state.bleeds ? Words::tr("%1 of 4").arg(bleedingGrade(state.bleedingRate)) : QString());
   set(removed_, millilitres(state.removedVolume));
   const std::int64_t pieces = state.ledger ? state.ledger->pieces() : 0;
-  set(pieces_, pieces > 0 ? QString("%1 %2, %3")
+  set(pieces_, pieces > 0 ? (pieces == 1 ? Words::tr("%1 piece, %2") : Words::tr("%1 pieces, %2"))
                                 .arg(pieces)
-                                .arg(pieces == 1 ? "piece" : "pieces")
                                 .arg(millilitres(state.ledger->tissue().pieces.volume))
                           : QString());
   const double cut = state.ledger ? state.ledger->cut() : 0;

@@ -30,7 +30,7 @@ class OperationPanel : public QWidget {
   struct Row {
     QLabel *name, *value;
   };
-  Row addRow(const char* name, const char* tip);
+  Row addRow(const QString& name, const QString& tip);
   void set(const Row& row, const QString& value);
 
   QFormLayout* form_;

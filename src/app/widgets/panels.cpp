@@ -15,6 +15,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "app/language/words.h"
 #include "app/say.h"
 #include "sph/colour_field.h"
 
@@ -57,26 +58,25 @@ QString partsOf(const Ledger& ledger) {
   const TissueSplit all = ledger.tissue();
   QStringList parts;
   if (pieces > 0)
-    parts << QString("%1 %2 of %3 ml")
+    parts << (pieces == 1 ? Words::tr("%1 piece of %2 ml") : Words::tr("%1 pieces of %2 ml"))
                  .arg(pieces)
-                 .arg(pieces == 1 ? "piece" : "pieces")
                  .arg(all.pieces.volume * 1e6, 0, 'f', 1);
   if (all.debris.particles > 0)
-    parts << QString("debris %1 ml").arg(all.debris.volume * 1e6, 0, 'f', 1);
-  if (cut > 0) parts << QString("cut %1 cm\u00b2").arg(cut * 1e4, 0, 'f', 1);
+    parts << Words::tr("debris %1 ml").arg(all.debris.volume * 1e6, 0, 'f', 1);
+  if (cut > 0) parts << Words::tr("cut %1 cm\u00b2").arg(cut * 1e4, 0, 'f', 1);
   if (const double bared = ledger.bared(); bared > 0)
-    parts << QString("bared %1 cm\u00b2").arg(bared * 1e4, 0, 'f', 1);
+    parts << Words::tr("bared %1 cm\u00b2").arg(bared * 1e4, 0, 'f', 1);
   for (const OrganLedger& organ : ledger.organs)
     for (const LabelLedger& label : organ.labels)
       if (label.margin && std::isfinite(*label.margin))
-        parts << QString("margin of %1 %2 mm")
-                     .arg(shown(label.name))
+        parts << Words::tr("margin of %1 %2 mm")
+                     .arg(translated(label.name))
                      .arg(*label.margin * 1e3, 0, 'f', 1);
   return parts.join(", ");
 }
 
 QString nameOf(const OrganSource& organ) {
-  if (isBuiltIn(organ)) return QString::fromStdString("Built-in " + organ.file);
+  if (isBuiltIn(organ)) return Words::tr("Built-in %1").arg(translated(organ.file));
   return shown(std::filesystem::path(organ.file).filename().string());
 }
 
@@ -85,7 +85,7 @@ QString nameOf(const OrganSource& organ) {
 QString namesOf(const std::vector<ScenarioOrgan>& organs) {
   if (organs.size() == 1) return nameOf(organs[0].source);
   QStringList names;
-  for (const ScenarioOrgan& organ : organs) names << shown(organ.source.name);
+  for (const ScenarioOrgan& organ : organs) names << translated(organ.source.name);
   return names.join(", ");
 }
 
@@ -95,18 +95,19 @@ OrganPanel::OrganPanel(QWidget* parent) : QWidget(parent) {
   name_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   form->addRow(name_);
   counts_ = new QLabel(this);
-  counts_->setToolTip("Particles, triangles of the surface, and the volume that is left");
+  counts_->setToolTip(
+      Words::tr("Particles, triangles of the surface, and the volume that is left"));
   form->addRow(counts_);
 
   iso_ = new QSlider(Qt::Horizontal, this);
   iso_->setRange(int(kMinIso), int(kMaxIso));
   iso_->setToolTip(
-      "Colour value at which the surface is drawn: lower swells it, higher shrinks it");
+      Words::tr("Colour value at which the surface is drawn: lower swells it, higher shrinks it"));
   iso_->setFocusPolicy(Qt::TabFocus);
   isoText_ = new QLabel(this);
   form->addRow(isoText_, iso_);
   QObject::connect(iso_, &QSlider::valueChanged, this, [this](int value) {
-    isoText_->setText(QString("Iso %1").arg(value));
+    isoText_->setText(Words::tr("Iso %1").arg(value));
     if (isoChanged) isoChanged(float(value));
   });
 
@@ -114,22 +115,24 @@ OrganPanel::OrganPanel(QWidget* parent) : QWidget(parent) {
   spacing_->setRange(1, 30);
   spacing_->setDecimals(1);
   spacing_->setSuffix(" mm");
-  spacing_->setToolTip("Side of the cells: smaller shows and cuts finer, and costs more");
-  spacing_->setAccessibleName("Spacing");
-  form->addRow("Spacing", spacing_);
+  spacing_->setToolTip(
+      Words::tr("Side of the cells: smaller shows and cuts finer, and costs more"));
+  spacing_->setAccessibleName(Words::tr("Spacing"));
+  form->addRow(Words::tr("Spacing"), spacing_);
   refine_ = new QSpinBox(this);
   refine_->setRange(1, 4);
-  refine_->setToolTip("Nodes of the surface's grid per cell: 2 shows the skin well");
-  refine_->setAccessibleName("Refinement");
-  form->addRow("Refinement", refine_);
-  elastic_ = new QCheckBox("Elastic tissue", this);
-  elastic_->setToolTip(
+  refine_->setToolTip(Words::tr("Nodes of the surface's grid per cell: 2 shows the skin well"));
+  refine_->setAccessibleName(Words::tr("Refinement"));
+  form->addRow(Words::tr("Refinement"), refine_);
+  elastic_ = new QCheckBox(Words::tr("Elastic tissue"), this);
+  elastic_->setToolTip(Words::tr(
       "Tissue gives way, is pulled and opens; without it, it stands still and what is touched "
-      "goes");
+      "goes"));
   elastic_->setFocusPolicy(Qt::TabFocus);
   form->addRow(elastic_);
   again_ = new QPushButton(this);
-  again_->setToolTip("The organ whole again, with this spacing, refinement and kind of tissue");
+  again_->setToolTip(
+      Words::tr("The organ whole again, with this spacing, refinement and kind of tissue"));
   again_->setFocusPolicy(Qt::TabFocus);
   form->addRow(again_);
   QObject::connect(again_, &QPushButton::clicked, this, [this] { beginAgain(); });
@@ -148,7 +151,7 @@ OrganPanel::Settings OrganPanel::settings() const {
 
 // Settings apply only when the organ is rebuilt: the button shows that changes are pending.
 void OrganPanel::sayWhatWaits() {
-  again_->setText(waiting() ? "Begin again to apply" : "Begin again");
+  again_->setText(waiting() ? Words::tr("Begin again to apply") : Words::tr("Begin again"));
   again_->setStyleSheet(waiting() ? "font-weight: bold" : "");
 }
 
@@ -163,7 +166,8 @@ void OrganPanel::setOrgans(const std::vector<ScenarioOrgan>& organs, double spac
                            const QString& notes) {
   const QString name = namesOf(organs);
   name_->setText("<b>" + name.toHtmlEscaped() + "</b>");
-  name_->setToolTip("<p>What is operated on: " + name.toHtmlEscaped() + "</p>");
+  name_->setToolTip("<p>" + Words::tr("What is operated on: %1").arg(name.toHtmlEscaped()) +
+                    "</p>");
   const QSignalBlocker quiet(spacing_);
   spacing_->setValue(spacing * 1e3);
   refine_->setValue(organs[0].source.settings.refine);
@@ -175,7 +179,7 @@ void OrganPanel::setOrgans(const std::vector<ScenarioOrgan>& organs, double spac
 }
 
 void OrganPanel::follow(const LiveState& state) {
-  counts_->setText(QString("%L1 particles\n%L2 triangles\n%3 ml")
+  counts_->setText(Words::tr("%L1 particles\n%L2 triangles\n%3 ml")
                        .arg(state.particles)
                        .arg(state.triangles)
                        .arg(state.volume * 1e6, 0, 'f', 1));
@@ -184,12 +188,12 @@ void OrganPanel::follow(const LiveState& state) {
 void OrganPanel::setIso(float iso) {
   const QSignalBlocker quiet(iso_);
   iso_->setValue(int(std::lround(iso)));
-  isoText_->setText(QString("Iso %1").arg(int(std::lround(iso))));
+  isoText_->setText(Words::tr("Iso %1").arg(int(std::lround(iso))));
 }
 
 RemovedPanel::RemovedPanel(QWidget* parent) : QWidget(parent) {
   setMinimumHeight(80);
-  setToolTip("Tissue taken out since the organ was whole, and how it came about");
+  setToolTip(Words::tr("Tissue taken out since the organ was whole, and how it came about"));
 }
 
 void RemovedPanel::clear() {
@@ -205,7 +209,7 @@ void RemovedPanel::follow(const LiveState& state) {
   particles_ = state.removed;
   parts_ = state.ledger ? partsOf(*state.ledger) : QString();
   if (state.bleeds)
-    parts_.prepend(QString("Blood lost %1 ml, now %2 ml/min%3")
+    parts_.prepend(Words::tr("Blood lost %1 ml, now %2 ml/min%3")
                        .arg(state.bled * 1e6, 0, 'f', 1)
                        .arg(state.bleedingRate * 60e6, 0, 'f', 0)
                        .arg(parts_.isEmpty() ? "" : "; "));
@@ -237,10 +241,10 @@ void RemovedPanel::paintEvent(QPaintEvent*) {
   painter.drawText(QRect(8, 2, width() - 16, line), Qt::AlignLeft,
                    QString("%1 ml").arg(removed_ * 1e6, 0, 'f', 1));
   painter.setFont(font());
-  const QString detail = QString("%L1 %2, %3 %")
-                             .arg(particles_)
-                             .arg(particles_ == 1 ? "particle" : "particles")
-                             .arg(whole_ > 0 ? 100 * removed_ / whole_ : 0, 0, 'f', 2);
+  const QString detail =
+      (particles_ == 1 ? Words::tr("%L1 particle, %2 %") : Words::tr("%L1 particles, %2 %"))
+          .arg(particles_)
+          .arg(whole_ > 0 ? 100 * removed_ / whole_ : 0, 0, 'f', 2);
   painter.drawText(QRect(8, 2 + line, width() - 16, QFontMetrics(font()).height()), Qt::AlignLeft,
                    detail);
   int top = line + QFontMetrics(font()).height() + 8;
@@ -259,9 +263,9 @@ void RemovedPanel::paintEvent(QPaintEvent*) {
 
 ForcePanel::ForcePanel(QWidget* parent) : QWidget(parent) {
   setMinimumHeight(70);
-  setToolTip(
+  setToolTip(Words::tr(
       "What the hand would feel, over the last ten seconds; the most so far, and the instrument "
-      "that met it");
+      "that met it"));
 }
 
 void ForcePanel::begin(const std::vector<QString>& tools) {
@@ -291,7 +295,7 @@ void ForcePanel::paintEvent(QPaintEvent*) {
   painter.setPen(palette().color(QPalette::WindowText));
   painter.drawText(QRect(8, 2, width() - 16, line), Qt::AlignLeft,
                    QString("%1 N").arg(now, 0, 'f', 2));
-  QString peak = QString("at most %1 N").arg(peak_, 0, 'f', 2);
+  QString peak = Words::tr("at most %1 N").arg(peak_, 0, 'f', 2);
   if (!reached_.isEmpty()) peak += ": " + reached_;
   painter.drawText(QRect(8, 2 + line, width() - 16, line), Qt::AlignLeft,
                    fontMetrics().elidedText(peak, Qt::ElideRight, width() - 16));
@@ -302,7 +306,7 @@ void ForcePanel::paintEvent(QPaintEvent*) {
 }
 
 TimingPanel::TimingPanel(QWidget* parent) : QWidget(parent) {
-  setToolTip("Median time of each stage of a step over the last second");
+  setToolTip(Words::tr("Median time of each stage of a step over the last second"));
 }
 
 void TimingPanel::follow(const LiveState& state, const Viewer::Drawing& drawing, double frameRate) {
@@ -317,10 +321,10 @@ void TimingPanel::follow(const LiveState& state, const Viewer::Drawing& drawing,
 // Advice if simulation or drawing was slow during the last second.
 QString TimingPanel::advice(const StageTime* slowest) const {
   if (state_.times.realTimeFactor < 0.9 && state_.times.median > 0.9 / frameRate_ && slowest)
-    return QString("Slower than real time: \"%1\" takes most. A larger spacing helps.")
+    return Words::tr("Slower than real time: \"%1\" takes most. A larger spacing helps.")
         .arg(inWords(slowest->name));
   if (drawing_.perSecond >= kFewPictures && drawing_.seconds > kSlowPicture)
-    return "Drawing is slow here: a smaller window or a graphics card helps.";
+    return Words::tr("Drawing is slow here: a smaller window or a graphics card helps.");
   return {};
 }
 
@@ -336,10 +340,11 @@ void TimingPanel::paintEvent(QPaintEvent*) {
     painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, right);
     y += row;
   };
-  text("Pictures", drawing_.perSecond > 0 ? QString("%1 /s").arg(drawing_.perSecond, 0, 'f', 0)
-                                          : QString("at rest"));
-  text("Real time", QString("%1 x").arg(state_.times.realTimeFactor, 0, 'f', 2));
-  text("Step", QString("%1 ms").arg(state_.times.median * 1e3, 0, 'f', 2));
+  text(Words::tr("Pictures"), drawing_.perSecond > 0
+                                  ? QString("%1 /s").arg(drawing_.perSecond, 0, 'f', 0)
+                                  : Words::tr("at rest"));
+  text(Words::tr("Real time"), QString("%1 x").arg(state_.times.realTimeFactor, 0, 'f', 2));
+  text(Words::tr("Step"), QString("%1 ms").arg(state_.times.median * 1e3, 0, 'f', 2));
   double most = 1e-4;
   const StageTime* slowest = nullptr;
   for (const StageTime& stage : state_.times.stages)

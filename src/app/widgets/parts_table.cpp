@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <algorithm>
 
+#include "app/language/words.h"
 #include "formats/labels/brought_organ.h"
 #include "io/model.h"
 
@@ -22,16 +23,16 @@ int proposed(const FilePart& part) {
 
 PartsTable::PartsTable(QWidget* parent) : QTableWidget(parent) {
   setColumnCount(3);
-  setHorizontalHeaderLabels({"Part", "Size", "What it is"});
+  setHorizontalHeaderLabels({Words::tr("Part"), Words::tr("Size"), Words::tr("What it is")});
   verticalHeader()->hide();
   setEditTriggers(NoEditTriggers);
   setSelectionMode(NoSelection);
   horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
   horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   horizontalHeader()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
-  setToolTip(
+  setToolTip(Words::tr(
       "Vessels bleed when they are cut; tumours and cysts are tissue of their own; a cavity holds "
-      "no tissue");
+      "no tissue"));
 }
 
 void PartsTable::fill(const std::vector<FilePart>& parts, bool image) {
@@ -49,14 +50,15 @@ void PartsTable::fill(const std::vector<FilePart>& parts, bool image) {
   setRowCount(int(parts.size()));
   for (int row = 0; row < int(parts.size()); ++row) {
     const FilePart& part = parts[std::size_t(row)];
-    setItem(row, 0, new QTableWidgetItem(QString::fromStdString(part.name)));
-    setItem(row, 1, new QTableWidgetItem(QString::fromStdString(part.about)));
+    setItem(row, 0, new QTableWidgetItem(translated(part.name)));
+    setItem(row, 1, new QTableWidgetItem(translated(part.about)));
     auto* role = new QComboBox;
-    role->addItem("left out", kLeftOut);
-    role->addItem("the organ's surface", kOrgan);
+    role->addItem(Words::tr("left out"), kLeftOut);
+    role->addItem(Words::tr("the organ's surface"), kOrgan);
     for (int k = int(StructureKind::Tumour); k < kStructureKinds; ++k) {
-      const std::string word(wordOf(StructureKind(k)));
-      role->addItem(QString::fromStdString(word).replace('-', ' '), 1 + k);
+      std::string word(wordOf(StructureKind(k)));
+      std::ranges::replace(word, '-', ' ');
+      role->addItem(translated(word), 1 + k);
     }
     role->setCurrentIndex(std::max(0, role->findData(roleFor(part))));
     connect(role, &QComboBox::activated, this, [this] {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "app/language/words.h"
 #include "inventor/scene/model_nodes.h"
 
 namespace resect {
@@ -31,9 +32,9 @@ SoDirectionalLight* lightFrom(float x, float y, float z, float intensity) {
 
 SurfaceView::SurfaceView(QWidget* parent) : QWidget(parent) {
   setFixedSize(kSide, kSide);
-  setToolTip(
+  setToolTip(Words::tr(
       "What is opened; drag to turn it. L, R: the patient's left and right; A, P: front and back; "
-      "H, F: head and feet");
+      "H, F: head and feet"));
   setCursor(Qt::OpenHandCursor);
   timer_.setSingleShot(true);
   timer_.setInterval(kPause);

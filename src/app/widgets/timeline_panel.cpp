@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/language/words.h"
 #include "app/say.h"
 
 namespace resect {
@@ -123,7 +124,7 @@ class TimelineBar : public QWidget {
     const double near = 3.0 / std::max(1e-9, xOf(1) - xOf(0));  // frames in three pixels
     for (const Timeline::Course* course : panel_.branchesBeside())
       if (std::abs(double(course->branch.from - frame)) < 2 * near)
-        text += "\nBranch " + shown(course->branch.name) + " begins here";
+        text += "\n" + Words::tr("Branch %1 begins here").arg(translated(course->branch.name));
     for (const TimelinePanel::Mark& mark : panel_.marks_)
       if (std::abs(double(mark.frame - frame)) < 3 * near)
         text += "\n" + mark.number + ": " + mark.text;
@@ -134,17 +135,17 @@ class TimelineBar : public QWidget {
     for (const Stroke& s : strokes) {
       ++number;
       if (double(frame) < double(s.from) - near || double(frame) > double(s.to) + near) continue;
-      text += QString("\nStroke %1").arg(number);
+      text += "\n" + Words::tr("Stroke %1").arg(number);
       if (s.tool >= 0 && std::size_t(s.tool) < panel_.tools_.size())
         text += ", " + panel_.tools_[std::size_t(s.tool)];
       text += QString(": %1 s").arg(double(s.to - s.from) / panel_.frameRate_, 0, 'f', 1);
       if (!panel_.laboratory_) continue;
       if (s.removed > 0)
-        text += QString(", %L1 %2 removed")
-                    .arg(s.removed)
-                    .arg(s.removed == 1 ? "particle" : "particles");
-      if (s.severed > 0) text += QString(", %L1 bonds cut").arg(s.severed);
-      if (s.torn > 0) text += QString(", %L1 bonds torn").arg(s.torn);
+        text += (s.removed == 1 ? Words::tr(", %L1 particle removed")
+                                : Words::tr(", %L1 particles removed"))
+                    .arg(s.removed);
+      if (s.severed > 0) text += Words::tr(", %L1 bonds cut").arg(s.severed);
+      if (s.torn > 0) text += Words::tr(", %L1 bonds torn").arg(s.torn);
     }
     return text;
   }
@@ -153,7 +154,7 @@ class TimelineBar : public QWidget {
 };
 
 TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent) {
-  const auto button = [&](const char* text, const char* tip, auto act) {
+  const auto button = [&](const QString& text, const QString& tip, auto act) {
     auto* made = new QToolButton(this);
     made->setText(text);
     made->setToolTip(tip);
@@ -162,42 +163,45 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent) {
     return made;
   };
   bar_ = new TimelineBar(this);
-  auto* back = button("|<", "To the start of the operation", [this] { toStart(); });
-  auto* less = button("<", "One frame back (comma)", [this] { step(-1); });
-  play_ = button("Play", "Plays again what happened after this moment (Ctrl+Space)",
+  auto* back = button("|<", Words::tr("To the start of the operation"), [this] { toStart(); });
+  auto* less = button("<", Words::tr("One frame back (comma)"), [this] { step(-1); });
+  play_ = button(Words::tr("Play"),
+                 Words::tr("Plays again what happened after this moment (Ctrl+Space)"),
                  [this] { togglePlayback(); });
-  auto* more = button(">", "One frame on (point)", [this] { step(1); });
-  auto* end = button(">|", "To the end of this branch (End)", [this] { toEnd(); });
+  auto* more = button(">", Words::tr("One frame on (point)"), [this] { step(1); });
+  auto* end = button(">|", Words::tr("To the end of this branch (End)"), [this] { toEnd(); });
   rate_ = new QComboBox(this);
   for (const double speed : kSpeeds) rate_->addItem(QString("%1 x").arg(speed), speed);
   rate_->setCurrentIndex(2);
-  rate_->setToolTip("Speed of playing");
+  rate_->setToolTip(Words::tr("Speed of playing"));
   rate_->setFocusPolicy(Qt::TabFocus);
   connect(rate_, &QComboBox::currentIndexChanged, this, [this] {
     if (speed_ > 0 && playback) playback(rate_->currentData().toDouble());
   });
   time_ = new QLabel(this);
-  time_->setToolTip("The moment that is shown, and the end of this branch");
+  time_->setToolTip(Words::tr("The moment that is shown, and the end of this branch"));
   branches_ = new QComboBox(this);
   branches_->setToolTip(
-      "Branches: one begins wherever somebody went back and worked on from there");
+      Words::tr("Branches: one begins wherever somebody went back and worked on from there"));
   branches_->setFocusPolicy(Qt::TabFocus);
   branches_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   branches_->setMaximumWidth(26 * fontMetrics().averageCharWidth());
   connect(branches_, &QComboBox::activated, this,
           [this](int index) { lookAt(branches_->itemData(index).toLongLong()); });
-  compare_ = button("Compare ...", "All branches side by side (Ctrl+B)", [this] {
-    if (compare) compare();
-  });
-  goOn_ = button("Go on from here",
-                 "Operates from this moment; the rest stays as a branch (Ctrl+Return)", [this] {
+  compare_ =
+      button(Words::tr("Compare ..."), Words::tr("All branches side by side (Ctrl+B)"), [this] {
+        if (compare) compare();
+      });
+  goOn_ = button(Words::tr("Go on from here"),
+                 Words::tr("Operates from this moment; the rest stays as a branch (Ctrl+Return)"),
+                 [this] {
                    if (goOn) goOn();
                  });
   hint_ = new ElidedLabel(this);
   memory_ = new QLabel(this);
-  memory_->setToolTip(
+  memory_->setToolTip(Words::tr(
       "Memory for the states from which any moment is shown. When it is full, old moments take "
-      "longer to reach (option --history)");
+      "longer to reach (option --history)"));
 
   auto* row = new QHBoxLayout;
   row->setContentsMargins(kMargin, 0, kMargin, 4);
@@ -251,17 +255,19 @@ void TimelinePanel::follow(const LiveState& state, bool showing, bool answered) 
   if (answered) asked_ = -1;
   end_ = std::max(timeline_->courses[std::size_t(branch_)].end, frame_);
   if (fresh || before != timeline_->courses.size()) listBranches();
-  time_->setText(clockText(double(frame_) / frameRate_) + " of " +
-                 clockText(double(end_) / frameRate_));
-  play_->setText(speed_ > 0 ? "Stop" : "Play");
+  time_->setText(
+      Words::tr("%1 of %2")
+          .arg(clockText(double(frame_) / frameRate_), clockText(double(end_) / frameRate_)));
+  play_->setText(speed_ > 0 ? Words::tr("Stop") : Words::tr("Play"));
   play_->setEnabled(showing && (speed_ > 0 || frame_ < end_));
   goOn_->setEnabled(showing);
-  hint_->setText(!showing        ? QString()
-                 : asked_ >= 0   ? "going there ..."
-                 : frame_ < end_ ? "Looking back: work on to go on from here; End: to the end"
-                                 : "Paused: take an instrument to go on");
+  hint_->setText(!showing      ? QString()
+                 : asked_ >= 0 ? Words::tr("going there ...")
+                 : frame_ < end_
+                     ? Words::tr("Looking back: work on to go on from here; End: to the end")
+                     : Words::tr("Paused: take an instrument to go on"));
   hint_->setToolTip(hint_->text());
-  goOn_->setText(frame_ < end_ ? "Go on from here" : "Go on");
+  goOn_->setText(frame_ < end_ ? Words::tr("Go on from here") : Words::tr("Go on"));
   memory_->setText(QString("%1 MB").arg(double(state.historyBytes) / (1 << 20), 0, 'f', 0));
   bar_->update();
 }
@@ -286,7 +292,8 @@ void TimelinePanel::listBranches() {
   std::vector<std::pair<QString, std::int64_t>> items;
   for (const Timeline::Course& course : timeline_->courses)
     if (course.branch.number == branch_ || isListed(course))
-      items.emplace_back("Branch " + shown(course.branch.name), course.branch.number);
+      items.emplace_back(Words::tr("Branch %1").arg(translated(course.branch.name)),
+                         course.branch.number);
   bool same = int(items.size()) == branches_->count();
   for (int i = 0; same && i < branches_->count(); ++i)
     same = branches_->itemText(i) == items[std::size_t(i)].first;

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/language/language.h"
 #include "app/window.h"
 #include "base/error.h"
 #include "base/parallel.h"
@@ -20,7 +21,7 @@ namespace {
 constexpr const char* kFirstScenario = "incise";  // of a window that is asked for no other
 
 struct Options {
-  std::string scenario, organ, breathing, setting, size = "1280x800";
+  std::string scenario, organ, breathing, setting, language, size = "1280x800";
   double fpsLimit = 60;
   int threads = 0, history = 512;
   bool thesis = false, light = false, dark = false, reports = false, exercises = false;
@@ -54,6 +55,7 @@ void window(const Options& options, const OrganOptions& organOptions) {
   window.fpsLimit = options.fpsLimit;
   window.historyMemory = options.history;
   if (options.light || options.dark) window.dark = options.dark;
+  window.language = options.language;
   window.reports = options.reports;
   window.exercises = options.exercises;
   if (const int status = showWindow(window); status != 0)
@@ -91,6 +93,11 @@ void addWindowCommand(Command app) {
                "As the original system: tissue is still, instruments take out what they touch");
   const Option light = command.flag("--light", options->light, "Light colours");
   command.flag("--dark", options->dark, "Dark colours; neither: as chosen last").excludes(light);
+  command
+      .option(
+          "--language", options->language,
+          "Language of the window: en or de; else as chosen in View > Language, or the system's")
+      .oneOf(languageCodes());
   command.flag("--exercises", options->exercises, "Begin with the list of exercises");
   command.flag("--reports", options->reports,
                "Say on standard output what happens and where things are, for scripts");

@@ -212,11 +212,13 @@ void tellWait(const Attempt& attempt, Deduction& d, bool bleeding) {
   const double length = attempt.interval * double(wait.count());
   if (length < kLong) return;
   d.time = attempt.time[wait.first];
-  d.fact += fmt::format(" For {:.0f} s from {} on no instrument touched the organ", length,
-                        timeText(attempt.time[wait.first]));
-  d.fact += bleeding ? fmt::format(", while it bled at {:.0f} ml/min.",
-                                   60e6 * bleedingRate(attempt, (wait.first + wait.last) / 2))
-                     : ".";
+  const std::string from = timeText(attempt.time[wait.first]);
+  d.fact += bleeding ? fmt::format(
+                           " For {:.0f} s from {} on no instrument touched the organ, while it "
+                           "bled at {:.0f} ml/min.",
+                           length, from, 60e6 * bleedingRate(attempt, (wait.first + wait.last) / 2))
+                     : fmt::format(" For {:.0f} s from {} on no instrument touched the organ.",
+                                   length, from);
 }
 
 void tellHurt(const Attempt& attempt, Deduction& d) {

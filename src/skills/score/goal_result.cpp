@@ -248,8 +248,9 @@ std::string goalSentence(const Task& task) {
       return fmt::format("Touch {} targets in turn, and hold each for {:g} s within {:g} mm.",
                          goal.places.size(), goal.hold, 1e3 * goal.radius);
     case Kind::Follow:
-      return fmt::format("Cut along the line, {}{}.", nearText(task),
-                         goal.holdWith.empty() ? "" : ", while the other hand holds the tissue");
+      if (goal.holdWith.empty()) return fmt::format("Cut along the line, {}.", nearText(task));
+      return fmt::format("Cut along the line, {}, while the other hand holds the tissue.",
+                         nearText(task));
     case Kind::Resect:
       return fmt::format("Take out the {} in one piece, with a margin of {:g} mm on all sides.",
                          goal.structure, 1e3 * goal.margin);
