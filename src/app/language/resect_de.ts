@@ -3717,5 +3717,25 @@
         <source>Go on</source>
         <translation>Weiter</translation>
     </message>
+    <message>
+        <source>B&amp;reathing</source>
+        <translation>At&amp;mung</translation>
+    </message>
+    <message>
+        <source>Whether the patient breathes; switched off, the breath is held when it has ended</source>
+        <translation>Ob der Patient atmet; ausgeschaltet wird der Atem angehalten, sobald ausgeatmet ist</translation>
+    </message>
+    <message>
+        <source>Sou&amp;nd</source>
+        <translation>&amp;Ton</translation>
+    </message>
+    <message>
+        <source>Suction, energy devices, and the monitor&apos;s beep at each beat of the heart</source>
+        <translation>Sauger, Hochfrequenzgeräte und der Piepton des Monitors bei jedem Herzschlag</translation>
+    </message>
+    <message>
+        <source>This computer has no device for sound</source>
+        <translation>Dieser Computer hat kein Gerät für die Tonausgabe</translation>
+    </message>
 </context>
 </TS>
