@@ -64,16 +64,6 @@ Simulation::Simulation(Organ organ, std::vector<std::unique_ptr<Tool>> tools,
                        std::unique_ptr<TissueModel> tissue, bool table)
     : Simulation(one(std::move(organ), std::move(tissue)), std::move(tools), {}, table) {}
 
-void Simulation::addObstacle(const TriangleMesh& shape, const Pose& pose) {
-  if (!moves()) return;
-  double coarsest = 0;
-  for (const OperatedOrgan& o : organs_)
-    coarsest = std::max(coarsest, o.organ.rest.lattice.spacing.x());
-  standingShapes_.push_back(std::make_unique<SignedDistance>(
-      shape, 2 * coarsest, std::clamp(coarsest / 3, 0.001, 0.003)));
-  standingPoses_.push_back(pose);
-}
-
 StepReport Simulation::step(const FrameInput& input, StageClock* clock) {
   StepReport report;
   step(input, report, clock);
@@ -225,40 +215,6 @@ void Simulation::applyEdits(StepReport& report) {
   report.removedVolume = summary.removedVolume;
   report.severed = summary.severed + summary.incised;
   dropJoints();
-}
-
-// Lists the tissues of this frame with their obstacles: those that move, and those that edges may
-// cut.
-void Simulation::listMoving(const FrameInput& input, StepReport& report) {
-  work_.moving.clear();
-  if (!(input.duration > 0)) return;
-  bool cutting = false;
-  for (std::size_t i = 0; i < tools_.size(); ++i) {
-    const ToolState& state = tools_[i];
-    work_.edges[i].clear();
-    if (!state.inHand) continue;
-    for (const auto& part : state.tool->parts)
-      part->addEdges(state.tool->model, state.way, work_.edges[i]);
-    cutting |= !work_.edges[i].empty();
-  }
-  for (std::size_t o = 0; o < organs_.size(); ++o) {
-    if (!organs_[o].tissue->moves() && !cutting) continue;
-    std::vector<Obstacle>& obstacles = work_.obstacles[o];
-    obstacles.clear();
-    for (std::size_t i = 0; i < tools_.size(); ++i) {
-      const ToolState& state = tools_[i];
-      const ToolModel& model = state.tool->model;
-      if (!state.inHand) continue;
-      const bool solid = moves() && model.response != "remove";
-      obstacles.push_back({std::int32_t(i), solid ? shapes_[i].get() : nullptr, false,
-                           state.way.from.pose, state.way.to.pose, entersTissue(model),
-                           model.friction, model.slipForce, work_.edges[i]});
-    }
-    if (table_) obstacles.push_back(tableTop());
-    for (std::size_t i = 0; i < standingShapes_.size(); ++i)
-      obstacles.push_back(standing(*standingShapes_[i], standingPoses_[i]));
-    work_.moving.push_back({organs_[o].tissue.get(), obstacles, &report.tissue[o]});
-  }
 }
 
 // Moves the tissue for the frame, with the moving tools as obstacles, and lets edges cut. What this

@@ -18,6 +18,7 @@
 #include "blood/bleeding.h"
 #include "organ/apply_edits.h"
 #include "organ/operated_organ.h"
+#include "simulation/surroundings.h"
 #include "tissue/joint.h"
 #include "tissue/move_tissues.h"
 #include "tools/tool.h"
@@ -118,9 +119,11 @@ class Simulation {
   // A simulation of one organ. tissue: null for still tissue.
   Simulation(Organ organ, std::vector<std::unique_ptr<Tool>> tools,
              std::unique_ptr<TissueModel> tissue = nullptr, bool table = true);
-  // Adds an obstacle that stands still, such as the tool box: a body that moving tissue cannot
-  // enter. shape: a closed mesh. Call before the first step. Has no effect if no tissue moves.
-  void addObstacle(const TriangleMesh& shape, const Pose& pose);
+  // Sets what stands round the organs, in place of what stood there before: bodies that moving
+  // tissue cannot enter, and the table's edge. Before, there are no bodies, and the table has no
+  // end. Call before the first step. Has no effect if no tissue moves.
+  void surround(Surroundings surroundings);
+  const Surroundings& surroundings() const { return surroundings_; }
 
   // Computes one frame. If `clock` is given, it gets the time of each stage under the stage's name.
   // In the following cases step() throws Error and changes nothing:
@@ -186,7 +189,7 @@ class Simulation {
   }
   template <class Visitor>
   void visitMade(Visitor& v) {
-    v.made(table_, keepsLook_, shapes_, standingShapes_, standingPoses_, joined_, work_);
+    v.made(table_, keepsLook_, shapes_, surroundings_, standingShapes_, joined_, work_);
   }
 
  private:
@@ -211,6 +214,7 @@ class Simulation {
   void applyEdits(StepReport& report);
   void moveTissue(const FrameInput& input, StepReport& report);
   void listMoving(const FrameInput& input, StepReport& report);
+  void addTable(std::vector<Obstacle>& obstacles) const;
   void applyCuts(StepReport& report);
   void updateField(StepReport& report);
   void updateSurface(const FrameInput& input);
@@ -235,8 +239,8 @@ class Simulation {
   // Set up once, or derived from the state.
   bool table_, keepsLook_ = false;
   std::vector<std::unique_ptr<SignedDistance>> shapes_;  // per tool; empty if no tissue moves
-  std::vector<std::unique_ptr<SignedDistance>> standingShapes_;  // from addObstacle()
-  std::vector<Pose> standingPoses_;
+  Surroundings surroundings_;
+  std::vector<std::unique_ptr<SignedDistance>> standingShapes_;  // of surroundings_.bodies
   std::vector<JoinedOrgan> joined_;  // per organ; empty if there are no joints
   Work work_;
 };
