@@ -15,11 +15,13 @@ constexpr double kMostNodes = 2e6;
 
 }  // namespace
 
-SignedDistance::SignedDistance(const TriangleMesh& mesh, double margin, double cell)
+SignedDistance::SignedDistance(const TriangleMesh& mesh, double margin, double cell, double band)
     : box_(bounds(mesh)), cell_(cell) {
   require(margin > 0 && cell > 0 && std::isfinite(margin) && std::isfinite(cell),
           "distances were asked for in cells of {} m, {} m round a mesh; give lengths above 0",
           cell, margin);
+  require(band >= 2 * cell, "distances were asked for in a band of {} m; give at least two cells",
+          band);
   requireSound(mesh);
   if (mesh.triangles.empty()) return;
   const Aabb region = box_.padded(margin);
@@ -64,19 +66,36 @@ SignedDistance::SignedDistance(const TriangleMesh& mesh, double margin, double c
               const Vec3i at(x, y, z), before = at - direction * Vec3i::Unit(axis);
               if (before[axis] < 0 || before[axis] >= dims_[axis]) continue;
               const std::int32_t triangle = nearest[index(before)];
+              if (squared[index(before)] > band * band) continue;
               if (triangle >= 0 && triangle != nearest[index(at)]) consider(at, triangle);
             }
     }
 
-  std::vector<Vec3> nodesOf;
-  nodesOf.reserve(nearest.size());
+  std::vector<Vec3> places;  // of the nodes in the band
+  places.reserve(nearest.size());
   for (int z = 0; z < dims_.z(); ++z)
     for (int y = 0; y < dims_.y(); ++y)
-      for (int x = 0; x < dims_.x(); ++x) nodesOf.push_back(node({x, y, z}));
-  const std::vector<std::uint8_t> inside = insideFlags(mesh, nodesOf);
+      for (int x = 0; x < dims_.x(); ++x)
+        if (squared[index({x, y, z})] <= band * band) places.push_back(node({x, y, z}));
+  const std::vector<std::uint8_t> inside = insideFlags(mesh, places);
   distance_.resize(nearest.size());
-  for (std::size_t i = 0; i < nearest.size(); ++i)
-    distance_[i] = float((inside[i] ? -1 : 1) * std::sqrt(squared[i]));
+  // Beyond the band no face lies between a node and the one before it, so they are on one side. The
+  // first node is outside.
+  const std::size_t before[] = {1, std::size_t(dims_.x()), std::size_t(dims_.x()) * dims_.y()};
+  std::size_t next = 0;
+  for (int z = 0; z < dims_.z(); ++z)
+    for (int y = 0; y < dims_.y(); ++y)
+      for (int x = 0; x < dims_.x(); ++x) {
+        const std::size_t i = index({x, y, z});
+        if (squared[i] <= band * band)
+          distance_[i] = float((inside[next++] ? -1 : 1) * std::sqrt(squared[i]));
+        else if (i == 0)
+          distance_[i] = float(band);
+        else
+          distance_[i] = float(std::copysign(band, distance_[i - (x > 0   ? before[0]
+                                                                  : y > 0 ? before[1]
+                                                                          : before[2])]));
+      }
 }
 
 SignedDistance::Sample SignedDistance::operator()(const Vec3& point) const {

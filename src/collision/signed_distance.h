@@ -18,17 +18,20 @@ namespace resect {
 
 class SignedDistance {
  public:
+  static constexpr double kFar = 1e3;  // m
+
   // `margin` > 0, m: how far the grid extends beyond the mesh. `cell` > 0, m: side of the grid's
   // cells. The side is enlarged if the grid would have more than 2 million nodes. For an empty mesh
-  // every distance is kFar.
-  SignedDistance(const TriangleMesh& mesh, double margin, double cell);
+  // every distance is kFar. band: farther than this from the mesh, m, the distance is not computed
+  // but is `band`, or -band inside, without a direction. Large thin bodies are then made in a
+  // fraction of the time.
+  SignedDistance(const TriangleMesh& mesh, double margin, double cell, double band = kFar);
 
   struct Sample {
     double distance;  // m; negative inside the body; kFar outside the grid
     Vec3 outwards;    // unit, towards growing distance; zero if undefined or outside the grid
   };
   Sample operator()(const Vec3& point) const;  // point: in the body's frame, m
-  static constexpr double kFar = 1e3;          // m
 
   const Aabb& box() const { return box_; }  // of the mesh, without margin
   double cell() const { return cell_; }     // side of the grid's cells, m

@@ -19,9 +19,9 @@
 #include "io/scenario/length.h"
 #include "io/scenario/scenario_file.h"
 #include "io/structures.h"
+#include "io/surroundings/surroundings_of.h"
 #include "operation/first_wounds.h"
 #include "operation/frame_estimate.h"
-#include "operation/room.h"
 #include "operation/setting_ranges.h"
 #include "operation/way/place_ways.h"
 #include "organ/cell_labels.h"
@@ -350,22 +350,13 @@ std::vector<TissueJoint> makeJoints(const Scenario& scenario,
 }
 
 Simulation assemble(const Scenario& scenario, std::vector<OperatedOrgan> organs,
-                    std::vector<TissueJoint> joints, std::vector<std::unique_ptr<Tool>> tools) {
+                    std::vector<TissueJoint> joints, std::vector<std::unique_ptr<Tool>> tools,
+                    std::vector<std::string>* notes) {
   for (std::size_t i = 0; i < organs.size() && i < scenario.organs.size(); ++i)
     makeWounds(scenario.organs[i].source.wounds, organs[i]);
   Simulation simulation(std::move(organs), std::move(tools), std::move(joints), scenario.table);
   simulation.setBreathing(scenario.breathing);
-  if (!scenario.toolBox || !simulation.moves()) return simulation;
-  const TriangleMesh walls = toolBoxWalls();
-  const Aabb tray = bounds(transformed(walls, toolBoxPose()));
-  for (const OperatedOrgan& o : simulation.organs()) {
-    const Lattice& lattice = o.organ.rest.lattice;
-    const Aabb reach = tray.padded(0.5 * lattice.spacing.x());
-    for (std::int64_t c = 0; c < lattice.cellCount(); ++c)
-      if (o.organ.alive[std::size_t(c)] && reach.contains(lattice.centre(lattice.cell(c))))
-        return simulation;
-  }
-  simulation.addObstacle(walls, toolBoxPose());
+  simulation.surround(surroundingsOf(scenario, simulation.organs(), notes));
   return simulation;
 }
 
@@ -382,8 +373,8 @@ Simulation makeSimulation(Scenario& scenario, const ModelReader& readModel,
   });
   std::vector<OperatedOrgan> organs = loadOrgans(scenario, readModel, progress, notes);
   std::vector<TissueJoint> joints = makeJoints(scenario, organs);
-  Simulation simulation =
-      assemble(scenario, std::move(organs), std::move(joints), loadTools(scenario, readModel));
+  Simulation simulation = assemble(scenario, std::move(organs), std::move(joints),
+                                   loadTools(scenario, readModel), notes);
   noteSlowFrames(simulation, scenario, notes);
   if (chosen && notes && simulation.moves())
     notes->push_back(paceNote(simulation, 1 / scenario.frameRate));

@@ -76,11 +76,11 @@ std::vector<OperatedOrgan> loadOrgans(Scenario& scenario, const ModelReader& rea
 std::vector<TissueJoint> makeJoints(const Scenario& scenario,
                                     const std::vector<OperatedOrgan>& organs);
 
-// Makes a simulation of organs, joints and tools, with the scenario's table. The walls of the
-// scenario's tool box become an obstacle for moving tissue. They are left out if a particle of some
-// organ lies in the tool box at the start, since the walls would push that organ out of the box.
+// Makes a simulation of organs, joints and tools, with the scenario's table and what stands round
+// the organs (io/surroundings/surroundings_of.h).
 Simulation assemble(const Scenario& scenario, std::vector<OperatedOrgan> organs,
-                    std::vector<TissueJoint> joints, std::vector<std::unique_ptr<Tool>> tools);
+                    std::vector<TissueJoint> joints, std::vector<std::unique_ptr<Tool>> tools,
+                    std::vector<std::string>* notes = nullptr);
 
 // Adds a note if frames will take long (operation/frame_estimate.h).
 void noteSlowFrames(const Simulation& simulation, const Scenario& scenario,

@@ -1,6 +1,14 @@
 #include "operation/room.h"
 
+#include <algorithm>
+
 namespace resect {
+
+FieldPlace fieldPlace(const Aabb& organs) {
+  constexpr double kLiver = 0.234;  // m: across the built-in liver, round which the field was made
+  const double across = std::max(organs.size().x(), organs.size().z());
+  return {{organs.centre().x(), 0, organs.centre().z()}, std::clamp(across / kLiver, 0.6, 1.6)};
+}
 
 TriangleMesh toolBoxWalls() {
   constexpr double kHalfWidth = 0.15, kHalfDepth = 0.11, kHeight = 0.025, kThickness = 0.012;  // m

@@ -7,6 +7,7 @@
 
 #include <numbers>
 
+#include "geometry/aabb.h"
 #include "geometry/pose.h"
 #include "geometry/rotation.h"
 #include "geometry/triangle_mesh.h"
@@ -15,6 +16,17 @@ namespace resect {
 
 // Pose of the tool box. The origin of the box's frame is the centre of its bottom.
 inline Pose toolBoxPose() { return {Vec3(0.27, 0.0, 0.02), Eigen::Quaterniond::Identity()}; }
+
+// Where the operative field (data/room/field.iv, field_*.ply) lies round organs with this box. The
+// pictures and the obstacles of tissue both use it.
+struct FieldPlace {
+  Vec3 position = Vec3::Zero();  // of the field's origin, world, m
+  double scale = 1;              // 0.6 to 1.6: by how much the field is larger than its files say
+};
+FieldPlace fieldPlace(const Aabb& organs);
+
+// The operating table as it is drawn (data/room/table.iv), and the floor on which it stands.
+inline constexpr double kTableHalfWidth = 0.45, kTableHalfDepth = 0.30, kFloor = -0.9;  // m
 
 // The four walls of the tool box as one closed mesh in the box's frame, an obstacle for tissue.
 // Their outside measures 30 x 22 cm; they are 25 mm high and 12 mm thick. Walls of 1 mm would be

@@ -231,8 +231,9 @@ struct Scenario {
   std::optional<double> after = {};  // not kept in recordings
   Breathing breathing;
   bool table = true, toolBox = true;  // whether the room has a table, and a tool box
-  // The surroundings of the organs in pictures: "table", or "field" for an opened abdomen. The
-  // surroundings have no effect on the simulation. A recording keeps this word as text.
+  // The surroundings of the organs: "table", or "field" for an opened abdomen. They are drawn, and
+  // they stop moving tissue (io/surroundings/surroundings_of.h). A recording keeps this word as
+  // text.
   std::string setting = "table";
   std::string view = "surgeon";  // name of the camera's view (docs/scenarios.md)
   std::optional<Aabb> closeUp;   // box that fills the pictures, world, m; none: organs fill them

@@ -5,6 +5,8 @@
 #include "base/error.h"
 #include "io/cells/cells_file.h"
 #include "io/operation_setup.h"
+#include "io/surroundings/surroundings_of.h"
+#include "operation/first_wounds.h"
 #include "tools/registry.h"
 
 namespace resect {
@@ -61,10 +63,12 @@ struct SetupFields {
   Scenario scenario;
   std::vector<ToolFields> tools;
   std::vector<OrganVessels> vessels;
+  std::optional<Surroundings> surroundings;
 
   template <class Visitor>
   void visit(Visitor& v) {
     v("scenario", scenario), v("tools", tools), v("vessels", vessels);
+    v("surroundings", surroundings);
   }
 };
 
@@ -79,7 +83,7 @@ RecordedSetup setupOf(const Scenario& scenario, const Simulation& simulation) {
           "it was made from",
           scenario.organs.size(), scenario.tools.size(), simulation.organs().size(),
           simulation.tools().size());
-  RecordedSetup setup{scenario, {}, {}, {}};
+  RecordedSetup setup{scenario, {}, {}, {}, simulation.surroundings()};
   for (const OperatedOrgan& organ : simulation.organs()) {
     setup.cells.push_back(organ.organ.rest);
     setup.anatomies.push_back(organ.organ.map ? organ.organ.map->anatomy : Anatomy());
@@ -105,11 +109,18 @@ Simulation simulationOf(const RecordedSetup& setup) {
   std::vector<TissueJoint> joints = makeJoints(scenario, organs);
   std::vector<std::unique_ptr<Tool>> tools;
   for (const ToolModel& tool : setup.tools) tools.push_back(makeTool(tool));
-  return assemble(scenario, std::move(organs), std::move(joints), std::move(tools));
+  for (std::size_t i = 0; i < organs.size(); ++i)
+    makeWounds(scenario.organs[i].source.wounds, organs[i]);
+  Simulation simulation(std::move(organs), std::move(tools), std::move(joints), scenario.table);
+  if (setup.surroundings)
+    for (const StandingBody& body : setup.surroundings->bodies) requireSound(body.shape);
+  simulation.surround(setup.surroundings ? *setup.surroundings
+                                         : surroundingsBefore(scenario, simulation.organs()));
+  return simulation;
 }
 
 SetupBytes toBytes(const RecordedSetup& setup) {
-  SetupFields fields{setup.scenario, {}, {}};
+  SetupFields fields{setup.scenario, {}, {}, setup.surroundings};
   for (const ToolModel& tool : setup.tools) fields.tools.emplace_back(tool);
   for (const Anatomy& anatomy : setup.anatomies) fields.vessels.push_back({anatomy.segments});
   SetupBytes bytes{toBytes(saveState(fields, kFingerprint)), {}};
@@ -124,7 +135,7 @@ RecordedSetup setupFromBytes(const SetupBytes& bytes) {
     throw error("the recording holds no scenario; it is damaged");
   SetupFields fields;
   loadState(fields, state);
-  RecordedSetup setup{std::move(fields.scenario), {}, {}, {}};
+  RecordedSetup setup{std::move(fields.scenario), {}, {}, {}, std::move(fields.surroundings)};
   for (const ToolFields& tool : fields.tools) setup.tools.push_back(tool.value());
   for (OrganVessels& vessels : fields.vessels)
     setup.anatomies.push_back(makeAnatomy(std::move(vessels.segments)));

@@ -2,11 +2,13 @@
 // data, so that the recording can be played on any machine.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "anatomy/anatomy.h"
 #include "operation/scenario.h"
+#include "simulation/surroundings.h"
 #include "sph/discretization.h"
 
 namespace resect {
@@ -16,6 +18,9 @@ struct RecordedSetup {
   std::vector<Discretization> cells;  // one per organ, at its final position and with labels
   std::vector<ToolModel> tools;       // one per tool, with its meshes
   std::vector<Anatomy> anatomies;     // one per organ, at its final position; may have no vessels
+  // What stood round the organs. None: the recording is of a version that did not keep it; then it
+  // is what that version had, the tool box and a table without an end.
+  std::optional<Surroundings> surroundings = std::nullopt;
 };
 
 // The name of a tool, for people; empty if there is no tool with that number.

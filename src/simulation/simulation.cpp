@@ -60,16 +60,6 @@ Simulation::Simulation(Organ organ, std::vector<std::unique_ptr<Tool>> tools,
                        std::unique_ptr<TissueModel> tissue, bool table)
     : Simulation(one(std::move(organ), std::move(tissue)), std::move(tools), {}, table) {}
 
-void Simulation::addObstacle(const TriangleMesh& shape, const Pose& pose) {
-  if (!moves()) return;
-  double coarsest = 0;
-  for (const OperatedOrgan& o : organs_)
-    coarsest = std::max(coarsest, o.organ.rest.lattice.spacing.x());
-  standingShapes_.push_back(std::make_unique<SignedDistance>(
-      shape, 2 * coarsest, std::clamp(coarsest / 3, 0.001, 0.003)));
-  standingPoses_.push_back(pose);
-}
-
 StepReport Simulation::step(const FrameInput& input, StageClock* clock) {
   StepReport report;
   step(input, report, clock);

@@ -19,6 +19,7 @@
 #include "blood/bleeding.h"
 #include "organ/apply_edits.h"
 #include "organ/operated_organ.h"
+#include "simulation/surroundings.h"
 #include "tissue/joint.h"
 #include "tissue/move_tissues.h"
 #include "tools/tool.h"
@@ -122,9 +123,11 @@ class Simulation {
   // A simulation of one organ. tissue: null for still tissue.
   Simulation(Organ organ, std::vector<std::unique_ptr<Tool>> tools,
              std::unique_ptr<TissueModel> tissue = nullptr, bool table = true);
-  // Adds an obstacle that stands still, such as the tool box: a body that moving tissue cannot
-  // enter. shape: a closed mesh. Call before the first step. Has no effect if no tissue moves.
-  void addObstacle(const TriangleMesh& shape, const Pose& pose);
+  // Sets what stands round the organs, in place of what stood there before: bodies that moving
+  // tissue cannot enter, and the table's edge. Before, there are no bodies, and the table has no
+  // end. Call before the first step. Has no effect if no tissue moves.
+  void surround(Surroundings surroundings);
+  const Surroundings& surroundings() const { return surroundings_; }
 
   // Lets the patient breathe: whatever holds moving tissue, and the table under it, then move. Call
   // before the first step. Has no effect if the depth is 0 or if no tissue moves. Throws Error if a
@@ -199,7 +202,7 @@ class Simulation {
   }
   template <class Visitor>
   void visitMade(Visitor& v) {
-    v.made(table_, keepsLook_, shapes_, standingShapes_, standingPoses_, joined_, work_);
+    v.made(table_, keepsLook_, shapes_, surroundings_, standingShapes_, joined_, work_);
     v.made(breathing_);
     if (!(breathing_.depth > 0)) v.made(breath_);
   }
@@ -229,6 +232,7 @@ class Simulation {
   void moveTissue(const FrameInput& input, StepReport& report);
   void listMoving(const FrameInput& input, StepReport& report);
   void moveHolds(const FrameInput& input);
+  void addTable(std::vector<Obstacle>& obstacles) const;
   void applyCuts(StepReport& report);
   void updateField(StepReport& report);
   void updateSurface(const FrameInput& input);
@@ -255,8 +259,8 @@ class Simulation {
   bool table_, keepsLook_ = false;
   Breathing breathing_;
   std::vector<std::unique_ptr<SignedDistance>> shapes_;  // per tool; empty if no tissue moves
-  std::vector<std::unique_ptr<SignedDistance>> standingShapes_;  // from addObstacle()
-  std::vector<Pose> standingPoses_;
+  Surroundings surroundings_;
+  std::vector<std::unique_ptr<SignedDistance>> standingShapes_;  // of surroundings_.bodies
   std::vector<JoinedOrgan> joined_;  // per organ; empty if there are no joints
   Work work_;
 };

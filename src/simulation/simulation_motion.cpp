@@ -1,11 +1,11 @@
-// The motion of tissue in a simulation: obstacles, breathing, and what motion causes.
+// The motion of tissue in a simulation: breathing, and what motion causes. Obstacles:
+// simulation_surroundings.cpp.
 #include <cmath>
 
 #include "base/elementary.h"
 #include "base/error.h"
 #include "organ/vessel_cords.h"
 #include "simulation/simulation.h"
-#include "tools/contacts.h"
 
 namespace resect {
 namespace {
@@ -33,40 +33,6 @@ void Simulation::moveHolds(const FrameInput& input) {
   const BreathMotion motion = breathe(breathing_, breath_, input.duration);
   work_.table = {breathing_.bed * motion.displacement(0), breathing_.bed * motion.displacement(1)};
   for (OperatedOrgan& o : organs_) o.tissue->moveHolds(motion);
-}
-
-// Lists the tissues of this frame with their obstacles: those that move, and those that edges may
-// cut.
-void Simulation::listMoving(const FrameInput& input, StepReport& report) {
-  work_.moving.clear();
-  if (!(input.duration > 0)) return;
-  bool cutting = false;
-  for (std::size_t i = 0; i < tools_.size(); ++i) {
-    const ToolState& state = tools_[i];
-    work_.edges[i].clear();
-    if (!state.inHand) continue;
-    for (const auto& part : state.tool->parts)
-      part->addEdges(state.tool->model, state.way, work_.edges[i]);
-    cutting |= !work_.edges[i].empty();
-  }
-  for (std::size_t o = 0; o < organs_.size(); ++o) {
-    if (!organs_[o].tissue->moves() && !cutting) continue;
-    std::vector<Obstacle>& obstacles = work_.obstacles[o];
-    obstacles.clear();
-    for (std::size_t i = 0; i < tools_.size(); ++i) {
-      const ToolState& state = tools_[i];
-      const ToolModel& model = state.tool->model;
-      if (!state.inHand) continue;
-      const bool solid = moves() && model.response != "remove";
-      obstacles.push_back({std::int32_t(i), solid ? shapes_[i].get() : nullptr, false,
-                           state.way.from.pose, state.way.to.pose, entersTissue(model),
-                           model.friction, model.slipForce, work_.edges[i]});
-    }
-    if (table_) obstacles.push_back(tableTop(work_.table[0], work_.table[1]));
-    for (std::size_t i = 0; i < standingShapes_.size(); ++i)
-      obstacles.push_back(standing(*standingShapes_[i], standingPoses_[i]));
-    work_.moving.push_back({organs_[o].tissue.get(), obstacles, &report.tissue[o]});
-  }
 }
 
 // Moves the tissue for the frame, with the moving tools as obstacles, and lets edges cut. What this

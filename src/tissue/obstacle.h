@@ -1,7 +1,8 @@
-// Obstacles: rigid bodies that tissue cannot enter. These are instruments, the table and the walls
-// of the tool box.
+// Obstacles: rigid bodies that tissue cannot enter. These are instruments, the table, the walls of
+// the tool box, and the body round the operative field.
 #pragma once
 
+#include <limits>
 #include <span>
 
 #include "collision/signed_distance.h"
@@ -24,6 +25,10 @@ struct Obstacle {
   double friction = 0.3;  // Coulomb's coefficient
   double slipForce = 0;   // force at which a tool releases all cells that it grips, N; 0: never
   std::span<const CuttingEdge> edges{};  // cutting edges of the instrument; empty: it does not cut
+  // Of a half space: where it ends along x and z, both ways from its origin, m. Then it is a block
+  // without a bottom.
+  double halfWidth = kEndless, halfDepth = kEndless;
+  static constexpr double kEndless = std::numeric_limits<double>::infinity();
 };
 
 // The table's top at y = 0. from, to: how far it is displaced at the start and at the end of the

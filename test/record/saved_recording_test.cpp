@@ -19,15 +19,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Scenario coarsePress() {
+Scenario coarsePress(const std::string& setting = "table") {
   Scenario press = readScenario(findDataFile("press", "scenarios", ".toml"));
+  press.setting = setting;
   setSpacing(press, *press.organs[0].source.spacing, 0.015);
   return press;
 }
 
 // An operation of a few particles that is recorded while it runs.
 struct Recorded {
-  explicit Recorded(const fs::path& path) : recorder(path, scenario, simulation) {}
+  explicit Recorded(const fs::path& path, const std::string& setting = "table")
+      : scenario(coarsePress(setting)), recorder(path, scenario, simulation) {}
 
   void run(int frames) {
     for (int i = 0; i < frames; ++i) {
@@ -39,7 +41,7 @@ struct Recorded {
   // As the window does.
   void save(const fs::path& path) { recorder.saveAs(path, {0, simulation.frame()}); }
 
-  Scenario scenario = coarsePress();
+  Scenario scenario;
   Simulation simulation = makeSimulation(scenario, readPlainMesh);
   StepReport report;
   Recorder recorder;
@@ -73,6 +75,40 @@ TEST_CASE("a recording keeps what stood round the organ") {
     const fs::path path = folder / (std::string(setting) + ".resect");
     Recorder(path, scenario, simulation);
     CHECK(settingIn(path) == setting);
+  }
+}
+
+TEST_CASE("a recording is played with what stopped tissue when it was made") {
+  const test::TemporaryFolder folder;
+  for (const char* setting : {"table", "field"}) {
+    CAPTURE(setting);
+    Recorded operation(folder / (std::string(setting) + ".resect"), setting);
+    operation.run(40);
+    const Surroundings& there = operation.simulation.surroundings();
+    CHECK(there.bodies.size() == (setting == std::string("table") ? 1 : 3));
+    operation.save(folder / "saved.resect");
+    CHECK(framesOf(folder / "saved.resect") == 40);
+    RecordedSetup setup = Replay(folder / "saved.resect").setup();
+    REQUIRE(setup.surroundings.has_value());
+    const auto same = [&](const Surroundings& other) {
+      bool equal = other.bodies.size() == there.bodies.size() &&
+                   other.edge.has_value() == there.edge.has_value();
+      for (std::size_t i = 0; equal && i < there.bodies.size(); ++i)
+        equal = other.bodies[i].name == there.bodies[i].name &&
+                other.bodies[i].shape.points == there.bodies[i].shape.points &&
+                other.bodies[i].pose.position == there.bodies[i].pose.position;
+      return equal;
+    };
+    CHECK(same(*setup.surroundings));
+    CHECK(same(simulationOf(setup).surroundings()));
+    // One of a version that did not keep it: the tray, and a table without an end.
+    setup.surroundings.reset();
+    const RecordedSetup older = setupFromBytes(toBytes(setup));
+    CHECK_FALSE(older.surroundings.has_value());
+    const Simulation played = simulationOf(older);
+    REQUIRE(played.surroundings().bodies.size() == 1);
+    CHECK(played.surroundings().bodies[0].name == "tool box");
+    CHECK_FALSE(played.surroundings().edge.has_value());
   }
 }
 

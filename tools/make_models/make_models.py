@@ -1,4 +1,5 @@
-"""Writes the instruments (data/tools/*.iv, with a .toml beside each) and the room (data/room/*.iv).
+"""Writes the instruments (data/tools/*.iv, with a .toml beside each) and the room (data/room/*.iv, and field_*.ply,
+what of the operative field stops tissue).
 
     python3 tools/make_models/make_models.py data            write the files
     python3 tools/make_models/make_models.py data --check    exit status 1 when one differs
@@ -22,33 +23,35 @@ import scissors
 import suction
 import table
 import toolbox
-from field import model as field
+from field import body, model as field
 
 INSTRUMENTS = (scalpel, hook, baton, scissors, suction, clip_applier, bipolar)
 INSTRUMENTS += (gauze, inflow_clamp, pencil, aspirator, forceps)
-ROOM = (table, toolbox, field)
+ROOM = (table, toolbox, field, body)
 
 
 def all_files():
-    """{path in the folder of data: text} of everything, in a fixed order."""
+    """{path in the folder of data: bytes} of everything, in a fixed order."""
     result = {}
     for folder, modules in (("tools", INSTRUMENTS), ("room", ROOM)):
         for module in modules:
-            result.update({f"{folder}/{name}": text for name, text in module.files().items()})
+            for name, content in module.files().items():
+                content = content.encode() if isinstance(content, str) else content
+                result[f"{folder}/{name}"] = content
     return result
 
 
 def read(path):
     if not os.path.exists(path):
         return None
-    with open(path, encoding="utf-8", newline="") as file:
+    with open(path, "rb") as file:
         return file.read()
 
 
-def write(path, text):
+def write(path, content):
     """Under a temporary name first, so that no half-written file is ever seen."""
-    with open(path + ".tmp", "w", encoding="utf-8", newline="\n") as file:
-        file.write(text)
+    with open(path + ".tmp", "wb") as file:
+        file.write(content)
     os.replace(path + ".tmp", path)
 
 
@@ -60,14 +63,14 @@ def main():
     parser.add_argument("--check", action="store_true", help="compare only, write nothing")
     options = parser.parse_args()
     different = []
-    for name, text in all_files().items():
+    for name, content in all_files().items():
         path = os.path.join(options.folder, name)
         if options.check:
-            if read(path) != text:
+            if read(path) != content:
                 different.append(name)
         else:
             os.makedirs(os.path.dirname(path), exist_ok=True)
-            write(path, text)
+            write(path, content)
     for name in different:
         print(
             f"{name} in {options.folder} is not what make_models.py writes; run it without --check"

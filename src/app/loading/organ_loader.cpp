@@ -251,7 +251,7 @@ void OrganLoader::poll() {
       // use.
       job_->simulation = std::make_unique<Simulation>(
           assemble(job_->scenario, std::move(job_->organs), std::move(job_->joints),
-                   loadTools(job_->scenario, &readModel)));
+                   loadTools(job_->scenario, &readModel), &job_->notes));
       if (hasWays(job_->scenario) && job_->simulation->moves()) return job_->startSettling();
     } catch (const std::exception& e) {
       job_->problem = e.what();

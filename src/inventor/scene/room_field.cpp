@@ -4,13 +4,13 @@
 #include <Inventor/nodes/SoSwitch.h>
 #include <Inventor/nodes/SoTransform.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "inventor/gl/materials.h"
 #include "inventor/gl/vectors.h"
 #include "inventor/scene/model_nodes.h"
 #include "inventor/scene/operating_room.h"
+#include "operation/room.h"
 
 namespace resect {
 namespace {
@@ -34,12 +34,10 @@ void OperatingRoom::setField(SoNode* model, const Aabb& organs) {
     part->removeAllChildren();
   if (!model) return;
   model->ref();
-  // It was made round the built-in liver, which measures so much across.
-  constexpr double kLiver = 0.234;
-  const double across = std::max(organs.size().x(), organs.size().z());
-  const auto scale = float(std::clamp(across / kLiver, 0.6, 1.6));
+  const FieldPlace at = fieldPlace(organs);
+  const auto scale = float(at.scale);
   auto* place = new SoTransform;
-  place->translation = toSb(Vec3(organs.centre().x(), 0, organs.centre().z()));
+  place->translation = toSb(at.position);
   place->scaleFactor = SbVec3f(scale, scale, scale);
   auto* unpickable = new SoPickStyle;
   unpickable->style = SoPickStyle::UNPICKABLE;

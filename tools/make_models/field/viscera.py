@@ -30,25 +30,34 @@ def floor_height(u, angle):
     return -0.006 + rise - 0.004 * head * smoothstep(0.5, 0.7, u) * (1.0 - smoothstep(0.7, 1.0, u))
 
 
+def floor_kind(u, angle):
+    """How fatty the floor is here, 0 to 1, and how high its cushions stand."""
+    x, z = rim(angle)
+    x, z = u * x, u * z
+    fatty = smoothstep(-0.35, 0.15, math.sin(angle) + 0.25 * noise((x, 0.0, z), 0.05, 41))
+    return fatty * smoothstep(0.30, 0.55, u), lobules((x, 0.0, z), 0.014, 42)
+
+
+def floor_point(u, angle, relief=True):
+    """A point of the floor; `relief`: with the cushions of the fat, else with their mean."""
+    x, z = rim(angle)
+    x, z = u * x, u * z
+    fatty, cushion = floor_kind(u, angle)
+    y = floor_height(u, angle) + fatty * (0.0048 * (cushion if relief else 0.55) - 0.001)
+    y += 0.0035 * fatty * noise((x, 0.0, z), 0.035, 43)
+    y += 0.0014 * (1.0 - fatty) * noise((x, 0.0, z), 0.02, 44)
+    return (x, y, z)
+
+
 def cavity_floor():
     columns, shares = 180, [0.02, 0.15, 0.25, 0.33, 0.40]
     shares += [0.46 + 0.0205 * k for k in range(30)]
     rows, kinds = [], {}
     for i, u in enumerate(shares):
-        row = []
+        rows.append([floor_point(u, a) for a in angles(columns)])
         for j, a in enumerate(angles(columns)):
-            x, z = rim(a)
-            x, z = u * x, u * z
             s = math.sin(a)
-            fatty = smoothstep(-0.35, 0.15, s + 0.25 * noise((x, 0.0, z), 0.05, 41))
-            fatty *= smoothstep(0.30, 0.55, u)
-            cushion = lobules((x, 0.0, z), 0.014, 42)
-            y = floor_height(u, a) + fatty * (0.0048 * cushion - 0.001)
-            y += 0.0035 * fatty * noise((x, 0.0, z), 0.035, 43)
-            y += 0.0014 * (1.0 - fatty) * noise((x, 0.0, z), 0.02, 44)
-            row.append((x, y, z))
-            kinds[i, j] = (fatty, cushion, smoothstep(0.1, 0.6, -s) * smoothstep(0.62, 0.8, u), s)
-        rows.append(row)
+            kinds[i, j] = (*floor_kind(u, a), smoothstep(0.1, 0.6, -s) * smoothstep(0.62, 0.8, u), s)
 
     def colour(p, i, j):
         fatty, cushion, dome, s = kinds[i, j % columns]

@@ -38,24 +38,31 @@ def body_height(angle, out):
     return y - feet * 0.05 * smoothstep(0.02, 0.5, out)
 
 
+DRAPE_ROWS = [0.0065, 0.0055, 0.006, 0.008, 0.012, 0.018, 0.027, 0.036, 0.046, 0.058, 0.07, 0.083, 0.097, 0.112]
+DRAPE_ROWS += [0.13, 0.15, 0.175, 0.20, 0.23, 0.26, 0.30, 0.35, 0.42, 0.55, 0.95]  # metres outside the rim
+DRAPE_LIFTS = [-0.003, 0.002, 0.0055, 0.0075, 0.0075, 0.006, 0.0045]  # above the body
+
+
+def drape_edge(row, angle):
+    """How far outside the rim a row of the drape lies at this place of the rim: the edge of the towels
+    is clamped straight, an oval with four soft corners."""
+    return DRAPE_ROWS[row] + 0.005 * abs(math.sin(2.0 * angle)) ** 3
+
+
+def drape_point(row, angle):
+    out = DRAPE_ROWS[row]
+    x, z = rim(angle, drape_edge(row, angle))
+    y = body_height(angle, out) + DRAPE_LIFTS[min(row, len(DRAPE_LIFTS) - 1)]
+    place = (x, 0.0, z)
+    y += smoothstep(0.012, 0.16, out) * fold_height(angle, out, place)
+    y += 0.0010 * smoothstep(0.02, 0.05, out) * noise(place, 0.022, 9)
+    return (x, y, z)
+
+
 def drape():
     """Green cloth round the opening, to the picture's edges."""
-    outs = [0.0065, 0.0055, 0.006, 0.008, 0.012, 0.018, 0.027, 0.036, 0.046, 0.058, 0.07, 0.083, 0.097, 0.112]
-    outs += [0.13, 0.15, 0.175, 0.20, 0.23, 0.26, 0.30, 0.35, 0.42, 0.55, 0.95]
-    lifts = [-0.003, 0.002, 0.0055, 0.0075, 0.0075, 0.006, 0.0045]
-    rows = []
-    for k, out in enumerate(outs):
-        row = []
-        for a in angles(COLUMNS):
-            # The edge of the towels is clamped straight: an oval with four soft corners.
-            corner = 0.005 * abs(math.sin(2.0 * a)) ** 3
-            x, z = rim(a, out + corner)
-            y = body_height(a, out) + lifts[min(k, len(lifts) - 1)]
-            place = (x, 0.0, z)
-            y += smoothstep(0.012, 0.16, out) * fold_height(a, out, place)
-            y += 0.0010 * smoothstep(0.02, 0.05, out) * noise(place, 0.022, 9)
-            row.append((x, y, z))
-        rows.append(row)
+    outs = DRAPE_ROWS
+    rows = [[drape_point(k, a) for a in angles(COLUMNS)] for k in range(len(outs))]
 
     def colour(p, i, j):
         # Light that the folds take from each other, as for the tissues in light.py.
@@ -105,27 +112,28 @@ def fold_height(angle, out, place):
     return 1.5 * ridges - 0.006 + 0.007 * noise(place, 0.08, 7)
 
 
+def edge_point(layer, out, below, angle, relief=True):
+    """A point of the wound's edge; `relief`: with the lobules of the fat, else with their mean."""
+    # The cut wanders, and the layers have drawn back by different lengths.
+    x, z = rim(angle, out)
+    place = (x, -below, z)
+    wander = 0.0025 * noise((x, 0.0, z), 0.045, 11) + 0.0012 * noise(place, 0.014, 12)
+    if layer == "fat":
+        inside = smoothstep(0.003, 0.007, below) * smoothstep(0.0215, 0.016, below)
+        wander -= inside * (0.0042 * (lobules(place, 0.013, 21) if relief else 0.55) - 0.0025)
+    if layer == "muscle":
+        wander += 0.0012 * noise((3.0 * x, below, 3.0 * z), 0.012, 13)
+    x, z = rim(angle, out + wander * smoothstep(0.02, 0.0, out))
+    return (x, skin_height(angle) - below, z)
+
+
 def wound_edge():
     """One sheet for each layer."""
     sheets = []
     for layer in ("skin", "fat", "muscle"):
         section = [(out, below) for out, below, name in SECTION if name == layer]
-        rows = []
-        for out, below in section:
-            row = []
-            for a in angles(COLUMNS if layer != "fat" else 2 * COLUMNS):
-                # The cut wanders, and the layers have drawn back by different lengths.
-                x, z = rim(a, out)
-                place = (x, -below, z)
-                wander = 0.0025 * noise((x, 0.0, z), 0.045, 11) + 0.0012 * noise(place, 0.014, 12)
-                if layer == "fat":
-                    inside = smoothstep(0.003, 0.007, below) * smoothstep(0.0215, 0.016, below)
-                    wander -= inside * (0.0042 * lobules(place, 0.013, 21) - 0.0025)
-                if layer == "muscle":
-                    wander += 0.0012 * noise((3.0 * x, below, 3.0 * z), 0.012, 13)
-                x, z = rim(a, out + wander * smoothstep(0.02, 0.0, out))
-                row.append((x, skin_height(a) - below, z))
-            rows.append(row)
+        turn = angles(COLUMNS if layer != "fat" else 2 * COLUMNS)
+        rows = [[edge_point(layer, out, below, a) for a in turn] for out, below in section]
         sheets.append(Sheet(layer, rows, lambda p, i, j, layer=layer: layer_colour(layer, p)))
     return sheets
 

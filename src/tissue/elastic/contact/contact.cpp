@@ -50,6 +50,22 @@ Spring springOf(const TissueMaterial& m, double spacing, bool dents) {
           kDamping * m.density * m.waveSpeed()};
 }
 
+// How deep a point is in a half space that may end along x and z, and the shortest way out.
+// turn: axes of the half space. fromOrigin: the point relative to its origin.
+struct Depth {
+  double depth;
+  Vec3 outwards;
+};
+Depth depthBelow(const Obstacle& o, const Mat3& turn, const Vec3& fromOrigin) {
+  Depth found{-fromOrigin.dot(turn.col(1)), turn.col(1)};
+  for (const auto& [axis, half] : {std::pair(0, o.halfWidth), std::pair(2, o.halfDepth)}) {
+    const double along = fromOrigin.dot(turn.col(axis));
+    if (half - std::abs(along) >= found.depth) continue;
+    found = {half - std::abs(along), along < 0 ? Vec3(-turn.col(axis)) : Vec3(turn.col(axis))};
+  }
+  return found;
+}
+
 }  // namespace
 
 void TissueContacts::list(const ElasticState& s, const ElasticKernel& kernel, const Vec3& origin,
@@ -169,8 +185,10 @@ Dent TissueContacts::dentOf(const Body& body, const Point& point, const Stance& 
                             double spacing, const Vec3& fromOrigin) {
   const Obstacle& o = body.obstacle;
   const WayOut limits{kDeepest * spacing, kFarthest * spacing, o.tool < 0 ? kNeverEdgeOn : kEdgeOn};
-  if (!o.shape)
-    return {std::min(limits.deepest, -fromOrigin.dot(stance.turn.col(1))), stance.turn.col(1), 1};
+  if (!o.shape) {
+    const auto [depth, outwards] = depthBelow(o, stance.turn, fromOrigin);
+    return {std::min(limits.deepest, depth), outwards, 1};
+  }
   Dent dent = dentIn(*o.shape, stance.turn.transpose() * fromOrigin,
                      stance.turn.transpose() * point.inwards.cast<double>(), point.width, limits);
   dent.outwards = stance.turn * dent.outwards;
@@ -214,13 +232,15 @@ void TissueContacts::pushCentre(const ElasticState& s, const Body& body, const S
   const Vec3 fromOrigin =
       body.cells[k].rest + at(s.u, i) + way.cast<double>() - stance.pose.position;
   double depth = (o.enters ? kEnteringStandOff : o.tool < 0 ? 0 : -kPressingDepth) * s.spacing;
-  Vec3 outwards = stance.turn.col(1);  // of a half space
+  Vec3 outwards;
   if (o.shape) {
     const auto sample = (*o.shape)(stance.turn.transpose() * fromOrigin);
     depth -= sample.distance;
     outwards = stance.turn * sample.outwards;
   } else {
-    depth -= fromOrigin.dot(outwards);
+    const Depth below = depthBelow(o, stance.turn, fromOrigin);
+    depth += below.depth;
+    outwards = below.outwards;
   }
   if (depth <= 0) return;
   const Vec3 velocity = at(s.v, i) + change.cast<double>() - body.velocity;

@@ -7,6 +7,7 @@ namespace resect {
 namespace {
 
 constexpr double kReach = 1.5;      // spacings: of a cell's points from its centre, and some more
+constexpr double kNoPoint = 2.5;    // spacings: so far from a cell no point of it can be near
 constexpr double kDiagonal = 1.75;  // of a cube, at most
 
 }  // namespace
@@ -67,7 +68,11 @@ void TissueContacts::listCells(const ElasticState& s, const Vec3& origin, double
         }
         if (o.tool >= 0 && !gripper.empty() && gripper[i] == o.tool) continue;
         if (!body.world.padded(kDiagonal * way).contains(x)) continue;
-        if (body.box.padded(way).contains(body.back * x)) body.candidates.push_back(i);
+        const Vec3 inside = body.back * x;
+        if (!body.box.padded(way).contains(inside)) continue;
+        // The box of the operative field's body is also round all that it does not touch.
+        if (o.tool < 0 && (*o.shape)(inside).distance > way + kNoPoint * s.spacing) continue;
+        body.candidates.push_back(i);
       }
     }
   }
