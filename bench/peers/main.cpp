@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "base/kept_memory.h"
-#include "io/atomic_file.h"
+#include "io/output/atomic_file.h"
 #include "peers/rows.h"
 #include "peers/tables.h"
 

@@ -19,7 +19,7 @@
 #include "app/viewer.h"
 #include "app/widgets/timeline_panel.h"
 #include "base/error.h"
-#include "io/atomic_file.h"
+#include "io/output/atomic_file.h"
 #include "io/scenario/scenario_file.h"
 #include "io/scenario/task_writer.h"
 #include "skills/report/task_page.h"

@@ -19,7 +19,7 @@
 #include "app/widgets/panels.h"
 #include "base/error.h"
 #include "inventor/gl/vectors.h"
-#include "io/atomic_file.h"
+#include "io/output/atomic_file.h"
 #include "io/scenario/scenario_file.h"
 #include "io/scenario/task_writer.h"
 #include "io/whole_file.h"

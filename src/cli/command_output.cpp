@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "io/atomic_file.h"
+#include "io/output/atomic_file.h"
 
 namespace resect {
 

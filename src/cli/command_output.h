@@ -26,7 +26,7 @@ inline void printNotes(std::FILE* file, const std::vector<std::string>& notes) {
 
 // Writes the JSON to `target`: the name of a file, or "-" for standard output. Indents by two
 // spaces and keeps the order in which keys were added. Characters that are not ASCII become \uXXXX,
-// so that a terminal can show them. A file is written atomically (io/atomic_file.h).
+// so that a terminal can show them. A file is written atomically (io/output/atomic_file.h).
 void writeJson(const std::string& target, const nlohmann::ordered_json& json);
 
 }  // namespace resect

@@ -3,7 +3,7 @@
 #include <png.h>
 
 #include "base/error.h"
-#include "io/atomic_file.h"
+#include "io/output/atomic_file.h"
 #include "io/output/output_target.h"
 
 namespace resect {

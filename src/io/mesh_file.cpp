@@ -13,7 +13,7 @@
 
 #include "base/error.h"
 #include "base/stop.h"
-#include "io/atomic_file.h"
+#include "io/output/atomic_file.h"
 #include "io/output/output_target.h"
 
 namespace resect {

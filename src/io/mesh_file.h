@@ -13,8 +13,8 @@ namespace resect {
 // (io/output/output_target.h), which throws further Errors.
 void checkWritableMeshFile(const std::filesystem::path& path);
 
-// Writes the mesh, atomically (io/atomic_file.h) and in metres. The extension decides the format. A
-// device or pipe without an extension, such as /dev/stdout, gets the format .obj.
+// Writes the mesh, atomically (io/output/atomic_file.h) and in metres. The extension decides the
+// format. A device or pipe without an extension, such as /dev/stdout, gets the format .obj.
 //  .obj  text; each coordinate has enough digits to restore the same double
 //  .ply  binary, little-endian; exact, since coordinates are doubles
 //  .vtk  legacy PolyData, binary, big-endian; exact, since coordinates are doubles

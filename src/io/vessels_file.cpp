@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "io/atomic_file.h"
+#include "io/output/atomic_file.h"
 #include "io/whole_file.h"
 
 namespace resect {

@@ -7,8 +7,8 @@
 
 #include <thread>
 
-#include "io/atomic_file.h"
 #include "io/mesh_file.h"
+#include "io/output/atomic_file.h"
 #include "io/output/output_target.h"
 #include "io/output/run_files.h"
 #include "io/output/temporary_file.h"

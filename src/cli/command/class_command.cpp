@@ -12,7 +12,7 @@
 #include "cli/command/commands.h"
 #include "cli/command_output.h"
 #include "cli/progress_bar.h"
-#include "io/atomic_file.h"
+#include "io/output/atomic_file.h"
 #include "io/output/run_files.h"
 #include "record/file/recording_file.h"
 #include "skills/attempt/read_attempt.h"

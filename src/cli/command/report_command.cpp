@@ -23,7 +23,7 @@
 #include "cli/progress_bar.h"
 #include "cli/shared_options.h"
 #include "formats/meshes/word_reader.h"
-#include "io/atomic_file.h"
+#include "io/output/atomic_file.h"
 #include "io/output/output_target.h"
 #include "io/output/run_files.h"
 #include "io/scenario/scenario_file.h"

@@ -1,6 +1,6 @@
 #include "formats/export/csv_file.h"
 
-#include "io/atomic_file.h"
+#include "io/output/atomic_file.h"
 
 namespace resect {
 

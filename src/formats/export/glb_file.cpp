@@ -12,7 +12,7 @@
 #include <ostream>
 
 #include "base/error.h"
-#include "io/atomic_file.h"
+#include "io/output/atomic_file.h"
 #include "io/output/descriptor_buffer.h"
 #include "io/output/output_target.h"
 #include "io/output/temporary_file.h"

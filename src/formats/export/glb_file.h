@@ -78,8 +78,8 @@ class GlbFile {
   // arrays, as the functions above return them.
   void animate(int node, Motion motion, int times, int values);
 
-  // Writes the file, atomically (io/atomic_file.h), and returns its size in bytes. To be called
-  // once, after everything was added.
+  // Writes the file, atomically (io/output/atomic_file.h), and returns its size in bytes. To be
+  // called once, after everything was added.
   std::uint64_t finish();
 
  private:

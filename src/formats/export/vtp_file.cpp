@@ -5,7 +5,7 @@
 #include <bit>
 #include <ostream>
 
-#include "io/atomic_file.h"
+#include "io/output/atomic_file.h"
 
 namespace resect {
 namespace {

@@ -23,7 +23,7 @@ struct VtpSurface {
   std::vector<Triangle> triangles;
 };
 
-// time: s; written as the field TimeValue. Writes atomically (io/atomic_file.h).
+// time: s; written as the field TimeValue. Writes atomically (io/output/atomic_file.h).
 void writeVtp(const std::filesystem::path& path, const VtpSurface& surface, double time);
 
 struct PvdEntry {

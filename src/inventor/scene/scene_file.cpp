@@ -19,7 +19,7 @@
 #include <ostream>
 
 #include "inventor/reading/scene_places.h"
-#include "io/atomic_file.h"
+#include "io/output/atomic_file.h"
 
 namespace resect {
 namespace {

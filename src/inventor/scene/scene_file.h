@@ -22,8 +22,8 @@ namespace resect {
 
 constexpr const char* kOrganNode = "Organ";  // name of the node that holds the organs' surface
 
-// Saves the room. The file is written atomically (io/atomic_file.h). organ: the present surface of
-// the organs (LiveOperation::surface()). Throws Error if the file cannot be written.
+// Saves the room. The file is written atomically (io/output/atomic_file.h). organ: the present
+// surface of the organs (LiveOperation::surface()). Throws Error if the file cannot be written.
 void writeSceneFile(const std::filesystem::path& path, const OperatingRoom& room,
                     const SurfaceTracker::Compact& organ);
 

@@ -8,8 +8,8 @@
 
 #include "base/crc32.h"
 #include "base/error.h"
-#include "io/atomic_file.h"
 #include "io/cells/byte_runs.h"
+#include "io/output/atomic_file.h"
 #include "io/scenario/toml_table.h"
 #include "io/vessels_file.h"
 #include "io/whole_file.h"

@@ -61,7 +61,7 @@ std::string formatCells(const KeptCells& kept);
 KeptCells parseCells(std::string_view bytes, const std::string& name);
 
 KeptCells readCells(const std::filesystem::path& path);
-// Writes atomically (io/atomic_file.h). Throws Error if writing fails.
+// Writes atomically (io/output/atomic_file.h). Throws Error if writing fails.
 void writeCells(const std::filesystem::path& path, const KeptCells& kept);
 
 }  // namespace resect

@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "base/stop.h"
 #include "base/text/shown_text.h"
-#include "io/atomic_file.h"
+#include "io/output/atomic_file.h"
 #include "io/whole_file.h"
 #include "organ/discretize.h"
 #include "sph/lattice_extent.h"

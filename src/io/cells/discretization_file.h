@@ -58,7 +58,7 @@ Discretization parseDiscretization(std::string_view text, const std::string& nam
 // settled. If a lattice is not settled, the spacing that is read may differ in its last bits.
 std::string formatDiscretization(const Discretization& discretization);
 
-// Writes the file atomically (io/atomic_file.h). Throws Error if writing fails.
+// Writes the file atomically (io/output/atomic_file.h). Throws Error if writing fails.
 void writeDiscretization(const std::filesystem::path& path, const Discretization& discretization);
 
 }  // namespace resect

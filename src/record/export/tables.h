@@ -21,7 +21,7 @@ struct RecordingTable {
 };
 std::span<const RecordingTable> recordingTables();
 
-// Writes the table as CSV, atomically (io/atomic_file.h), and returns the number of its rows
+// Writes the table as CSV, atomically (io/output/atomic_file.h), and returns the number of its rows
 // without the header. Memory: for the table `frames`, a few numbers; for each other table, all rows
 // of one branch.
 std::int64_t exportTable(Replay& replay, const ExportedPart& part, const RecordingTable& table,
