@@ -64,8 +64,8 @@ TEST_CASE("values that are words are translated too") {
 
 TEST_CASE("what nobody has translated stays as it is") {
   CHECK(german("My own title") == "My own title");
-  CHECK(german("exercises/left to right.toml: there is no such file; check the name") ==
-        "exercises/left to right.toml: there is no such file; check the name");
+  CHECK(german("from left to right.toml: there is no such file; check the name") ==
+        "from left to right.toml: there is no such file; check the name");
   CHECK(german("") == "");
   CHECK(german("100 %1 %2") == "100 %1 %2");
 }

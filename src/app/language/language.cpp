@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kSetting = "language";
 
-bool translated = false;
+bool other = false;  // than English
 
 bool isOffered(std::string_view code) {
   return std::ranges::count(kLanguages, code, &Language::code) > 0;
@@ -36,8 +36,8 @@ std::vector<std::string> languageCodes() {
 void useLanguage(const std::string& given) {
   std::string code = given.empty() ? chosenLanguage() : given;
   if (!isOffered(code)) code = systemLanguage();
-  translated = code != kLanguages[0].code;
-  if (!translated) return;
+  other = code != kLanguages[0].code;
+  if (!other) return;
   const auto install = [](const QString& file, const QString& folder) {
     auto* translator = new QTranslator(QCoreApplication::instance());
     if (translator->load(file, folder)) QCoreApplication::installTranslator(translator);
@@ -47,9 +47,13 @@ void useLanguage(const std::string& given) {
   // (qt6-translations-l10n) they stay English.
   install("qtbase_" + of, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
   install("resect_" + of, ":/language");
+  // All figures have a point. So thousands have no comma, which elsewhere reads as a point.
+  QLocale plain = QLocale::c();
+  plain.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
+  QLocale::setDefault(plain);
 }
 
-bool isTranslated() { return translated; }
+bool isTranslated() { return other; }
 
 std::string chosenLanguage() { return QSettings().value(kSetting).toString().toStdString(); }
 
