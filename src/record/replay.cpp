@@ -39,6 +39,13 @@ bool same(const RecordedSample& a, const RecordedSample& b) {
          std::memcmp(a.force, b.force, sizeof a.force) == 0;
 }
 
+// Whether a key state was saved by an older version of the program.
+bool isOlder(const Bytes& state) try {
+  return stateFromBytes(state).version < kStateVersion;
+} catch (const Error&) {
+  return false;  // it is damaged
+}
+
 class Verifier {
  public:
   Verifier(const std::filesystem::path& path, const Progress& progress)
@@ -174,9 +181,10 @@ class Verifier {
     const std::optional<KeyState> key = replay_.file().keyState(branch, frame);
     if (!key || key->frame != frame) return differ(branch, frame, "file", "a key state is missing");
     if (found_.otherProgram) return;
-    if (key->state != replay_.simulation().save())
+    if (key->state != replay_.simulation().save()) {
+      if (isOlder(key->state)) return;  // it lacks fields of the present states
       differ(branch, frame, "file", "the key state is damaged");
-    else if (key->stateHash != replay_.simulation().stateHash())
+    } else if (key->stateHash != replay_.simulation().stateHash())
       differ(branch, frame, "updateSurface", "the surface");
     ++found_.keyStates;
   }

@@ -14,8 +14,9 @@
 namespace resect {
 namespace {
 
-constexpr int kRate = 44100;        // samples per second
-constexpr double kBuffered = 0.08;  // s of sound that wait to be played
+constexpr int kRate = 44100;               // samples per second
+constexpr double kBuffered = 0.08;         // s of sound that wait to be played
+constexpr const char* kSetting = "sound";  // whether sound is on
 
 }  // namespace
 
@@ -63,7 +64,6 @@ qint64 Speaker::readData(char* bytes, qint64 most) {
 }
 
 void addSoundItem(QMenu* menu, Speaker& speaker) {
-  constexpr const char* kSetting = "sound";
   QAction* item = menu->addAction(Words::tr("Sou&nd"));
   item->setShortcut(QKeySequence("M"));
   item->setCheckable(true);
