@@ -43,7 +43,7 @@ vec3 wetTissue(Tissue t, vec3 n0, float bend, Surroundings around, vec3 eyePosit
                  0.28 * e1 * soft1 * hidden * (0.1 + 0.9 * open) +
                  0.42 * ambientLight(n) * hidden * open;
   // Some light comes through the tissue to every place: no border is black.
-  diffuse += vec3(0.060, 0.030, 0.026);
+  diffuse += vec3(0.026, 0.013, 0.011);
   vec3 color = t.albedo * diffuse;
 
   // The film mirrors the cloth below the horizon, above it one soft gradient.

@@ -12,16 +12,15 @@
 
 namespace resect {
 
-// In the setting `field`: the abdominal wall, the stomach and the colon, as data/room/field_*.ply
-// holds them, at the place where they are drawn. In other settings: the walls of the scenario's
-// tool box, and the table's edge. A body is left out if a particle of some organ lies in it at the
-// start, since it would push that organ out; each gets a note, except the tool box. Empty if no
-// tissue moves.
+// In the setting `field`: the abdominal wall, as data/room/field_wall.ply holds it, at the place
+// where it is drawn. In other settings: the walls of the scenario's tool box, and the table's edge.
+// A body is left out if a particle of some organ lies in it at the start, since it would push that
+// organ out. Then the wall gets a note, the tool box none. Empty if no tissue moves.
 Surroundings surroundingsOf(const Scenario& scenario, std::span<const OperatedOrgan> organs,
                             std::vector<std::string>* notes = nullptr);
 
-// The same bodies at a place, whatever lies there.
-std::vector<StandingBody> fieldBodies(const FieldPlace& place);
+// The abdominal wall at a place, whatever lies there.
+StandingBody abdominalWall(const FieldPlace& place);
 
 // What there was before recordings kept it, and with which such recordings are played: in every
 // setting the tool box, and a table without an end.

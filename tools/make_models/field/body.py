@@ -1,12 +1,12 @@
-"""What of the operative field stops tissue: the wall round the opening, the stomach and the colon, each as one
-closed mesh. They follow the drawn surfaces within 3 mm (test/inventor/field_body_test.cpp), without the relief
-that a distance grid of some millimetres cannot hold. Gauze pads and steel blades are left out."""
+"""What of the operative field stops tissue: the wall round the opening, as one closed mesh. It follows the drawn
+surfaces within 3 mm (test/inventor/field_body_test.cpp), without the relief that a distance grid of some millimetres
+cannot hold. Gauze pads and steel blades are left out. So are stomach and colon: they would have to give way."""
 
 from field.opening import angles, rim, skin_height
-from field.viscera import colon, floor_point, stomach
+from field.viscera import floor_point
 from field.wall import COLUMNS, DRAPE_ROWS, SECTION, drape_edge, drape_point, edge_point
 from plain_mesh import plain_mesh
-from shapes.loft import close_end, close_start, loft
+from shapes.loft import loft
 from shapes.surface import Surface
 
 OUTERMOST = 0.15  # metres outside the rim: so far the drape is an obstacle
@@ -19,20 +19,6 @@ SEEN = [
     ("muscle", -0.003), ("muscle", -0.0005),
 ]
 FLOOR = [1.0 - 0.02 * k for k in range(20)]  # of the way from the middle to the rim
-
-
-def tube(sheet, row_step, column_step):
-    """The drawn tube with fewer points, closed at its ends."""
-    rows = sheet.rows[::row_step]
-    if rows[-1] is not sheet.rows[-1]:
-        rows.append(sheet.rows[-1])
-    rings = [row[:-1][::column_step] for row in rows]
-    surface = Surface(decimals=5)
-    middle = [tuple(sum(p[k] for p in ring) / len(ring) for k in range(3)) for ring in (rings[0], rings[-1])]
-    close_start(surface, rings[0], middle[0])
-    loft(surface, rings)
-    close_end(surface, rings[-1], middle[1])
-    return surface
 
 
 def wall():
@@ -57,7 +43,6 @@ def wall():
 
 
 def files():
-    """{file name: bytes} of the parts."""
-    parts = {"wall": wall(), "stomach": tube(stomach(), 2, 2), "colon": tube(colon(), 2, 2)}
-    return {f"field_{name}.ply": plain_mesh(surface) for name, surface in parts.items()}
+    """{file name: bytes} of the wall."""
+    return {"field_wall.ply": plain_mesh(wall())}
 
