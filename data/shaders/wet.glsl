@@ -43,7 +43,7 @@ vec3 wetTissue(Tissue t, vec3 n0, float bend, Surroundings around, vec3 eyePosit
                  0.28 * e1 * soft1 * hidden * (0.1 + 0.9 * open) +
                  0.42 * ambientLight(n) * hidden * open;
   // Some light comes through the tissue to every place: no border is black.
-  diffuse += vec3(0.026, 0.013, 0.011);
+  diffuse += vec3(0.014, 0.007, 0.006);
   vec3 color = t.albedo * diffuse;
 
   // The film mirrors the cloth below the horizon, above it one soft gradient.
@@ -54,7 +54,7 @@ vec3 wetTissue(Tissue t, vec3 n0, float bend, Surroundings around, vec3 eyePosit
   color += min(fresnel(0.028, nv), 0.20) * sky * smoothstep(0.0, 0.25, dot(flat_, v));
   // The lamps' sheen, soft, and their glints where the film is thick enough.
   color += 0.010 * e0 * lit * max(dot(n, l0), 0.0) * glossLobe(n, l0, v, 0.55);
-  color += 0.009 * e0 * lit * max(dot(flat_, l0), 0.0) * glossLobe(flat_, l0, v, 0.36);
+  color += 0.007 * e0 * lit * max(dot(flat_, l0), 0.0) * glossLobe(flat_, l0, v, 0.36);
   color += 0.010 * e1 * open * max(dot(n, l1), 0.0) * glossLobe(n, l1, v, 0.55);
   float rough = 0.15 + 1.5 * t.lost, third = 0.333;
   float fromMain = 0.014 * dot(e0, vec3(third)) * max(dot(film, l0), 0.0);
