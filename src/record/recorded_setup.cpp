@@ -112,6 +112,7 @@ Simulation simulationOf(const RecordedSetup& setup) {
   for (std::size_t i = 0; i < organs.size(); ++i)
     makeWounds(scenario.organs[i].source.wounds, organs[i]);
   Simulation simulation(std::move(organs), std::move(tools), std::move(joints), scenario.table);
+  simulation.setBreathing(scenario.breathing);
   if (setup.surroundings)
     for (const StandingBody& body : setup.surroundings->bodies) requireSound(body.shape);
   simulation.surround(setup.surroundings ? *setup.surroundings
