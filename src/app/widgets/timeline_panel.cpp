@@ -179,6 +179,9 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent) {
     if (speed_ > 0 && playback) playback(rate_->currentData().toDouble());
   });
   time_ = new QLabel(this);
+  // So wide that the row does not move as the operation goes on.
+  time_->setMinimumWidth(
+      fontMetrics().horizontalAdvance(Words::tr("%1 of %2").arg("00:00.0", "00:00.0")));
   time_->setToolTip(Words::tr("The moment that is shown, and the end of this branch"));
   branches_ = new QComboBox(this);
   branches_->setToolTip(
