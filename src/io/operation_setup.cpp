@@ -351,13 +351,21 @@ std::vector<TissueJoint> makeJoints(const Scenario& scenario,
 
 Simulation assemble(const Scenario& scenario, std::vector<OperatedOrgan> organs,
                     std::vector<TissueJoint> joints, std::vector<std::unique_ptr<Tool>> tools,
-                    std::vector<std::string>* notes) {
+                    Surroundings surroundings) {
   for (std::size_t i = 0; i < organs.size() && i < scenario.organs.size(); ++i)
     makeWounds(scenario.organs[i].source.wounds, organs[i]);
   Simulation simulation(std::move(organs), std::move(tools), std::move(joints), scenario.table);
   simulation.setBreathing(scenario.breathing);
-  simulation.surround(surroundingsOf(scenario, simulation.organs(), notes));
+  simulation.surround(std::move(surroundings));
   return simulation;
+}
+
+Simulation assemble(const Scenario& scenario, std::vector<OperatedOrgan> organs,
+                    std::vector<TissueJoint> joints, std::vector<std::unique_ptr<Tool>> tools,
+                    std::vector<std::string>* notes) {
+  Surroundings surroundings = surroundingsOf(scenario, organs, notes);
+  return assemble(scenario, std::move(organs), std::move(joints), std::move(tools),
+                  std::move(surroundings));
 }
 
 void noteSlowFrames(const Simulation& simulation, const Scenario& scenario,

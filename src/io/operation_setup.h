@@ -76,8 +76,12 @@ std::vector<OperatedOrgan> loadOrgans(Scenario& scenario, const ModelReader& rea
 std::vector<TissueJoint> makeJoints(const Scenario& scenario,
                                     const std::vector<OperatedOrgan>& organs);
 
-// Makes a simulation of organs, joints and tools, with the scenario's table and what stands round
-// the organs (io/surroundings/surroundings_of.h).
+// Makes a simulation of organs, joints and tools, with the scenario's first wounds, table and
+// breathing, and with what stands round the organs.
+Simulation assemble(const Scenario& scenario, std::vector<OperatedOrgan> organs,
+                    std::vector<TissueJoint> joints, std::vector<std::unique_ptr<Tool>> tools,
+                    Surroundings surroundings);
+// The same with the scenario's own surroundings (io/surroundings/surroundings_of.h).
 Simulation assemble(const Scenario& scenario, std::vector<OperatedOrgan> organs,
                     std::vector<TissueJoint> joints, std::vector<std::unique_ptr<Tool>> tools,
                     std::vector<std::string>* notes = nullptr);

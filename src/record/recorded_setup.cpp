@@ -6,7 +6,6 @@
 #include "io/cells/cells_file.h"
 #include "io/operation_setup.h"
 #include "io/surroundings/surroundings_of.h"
-#include "operation/first_wounds.h"
 #include "tools/registry.h"
 
 namespace resect {
@@ -109,15 +108,12 @@ Simulation simulationOf(const RecordedSetup& setup) {
   std::vector<TissueJoint> joints = makeJoints(scenario, organs);
   std::vector<std::unique_ptr<Tool>> tools;
   for (const ToolModel& tool : setup.tools) tools.push_back(makeTool(tool));
-  for (std::size_t i = 0; i < organs.size(); ++i)
-    makeWounds(scenario.organs[i].source.wounds, organs[i]);
-  Simulation simulation(std::move(organs), std::move(tools), std::move(joints), scenario.table);
-  simulation.setBreathing(scenario.breathing);
   if (setup.surroundings)
     for (const StandingBody& body : setup.surroundings->bodies) requireSound(body.shape);
-  simulation.surround(setup.surroundings ? *setup.surroundings
-                                         : surroundingsBefore(scenario, simulation.organs()));
-  return simulation;
+  Surroundings surroundings =
+      setup.surroundings ? *setup.surroundings : surroundingsBefore(scenario, organs);
+  return assemble(scenario, std::move(organs), std::move(joints), std::move(tools),
+                  std::move(surroundings));
 }
 
 SetupBytes toBytes(const RecordedSetup& setup) {
