@@ -48,6 +48,7 @@ OTHERS = [
     "open, %1 boundary edge",
     "open, %1 boundary edges",
     "label %1",
+    "%1, from %2",  # the name of a branch
     "at most %1",
     "at least %1",
     "%1 of %2 mm",
