@@ -195,7 +195,7 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent) {
       button(Words::tr("Compare ..."), Words::tr("All branches side by side (Ctrl+B)"), [this] {
         if (compare) compare();
       });
-  goOn_ = button(Words::tr("Go on from here"),
+  goOn_ = button(Words::tr("Go on"),
                  Words::tr("Operates from this moment; the rest stays as a branch (Ctrl+Return)"),
                  [this] {
                    if (goOn) goOn();
@@ -215,7 +215,9 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent) {
   row->addWidget(memory_);
   row->addWidget(branches_);
   row->addWidget(compare_);
-  memory_->hide();
+  // The row is as narrow as it is in an operation, lest it widen the window that opens.
+  for (QWidget* widget : std::initializer_list<QWidget*>{memory_, branches_, compare_})
+    widget->hide();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 2, 0, 0);
   column->setSpacing(2);
