@@ -10,7 +10,7 @@ namespace resect {
 namespace {
 
 constexpr double kOnPlane = 1e-12;  // m; rounding of world positions within some metres
-constexpr int kMostSteps = 256;     // of one motion
+constexpr int kMostPlaces = 256;    // of one motion
 
 void addTriangle(SweptBlade& blade, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a, v = c - a;
@@ -38,7 +38,7 @@ int stepsOf(std::span<const Vec3> edge, const Pose& from, const Pose& to, double
   const double angle = angleBetween(from.rotation, to.rotation);
   // Sagitta of a step: reach (1 - cos(step / 2)) <= reach step^2 / 8.
   const double step = std::sqrt(8 * flatness / std::max(reach, 1e-9));
-  return std::clamp(int(std::ceil(angle / step)), 1, kMostSteps);
+  return std::clamp(int(std::ceil(angle / step)), 1, kMostPlaces);
 }
 
 }  // namespace

@@ -23,9 +23,9 @@ constexpr int kLeaf = 4;  // cells a side of the smallest box that is skipped as
 constexpr std::size_t kGrain = 512;
 
 // Nodes with an even number are corners of the cubes, those with an odd number centres.
-class Lattice {
+class CubeLattice {
  public:
-  Lattice(const Value& value, const Aabb& box, double cell)
+  CubeLattice(const Value& value, const Aabb& box, double cell)
       : value_(value), box_(box), cell_(cell), origin_(box.min - Vec3::Constant(1.5 * cell)) {
     for (int m = 0; m < 3; ++m) cells_[m] = int(std::ceil(box.size()[m] / cell)) + 3;
     nodes_ = cells_ + Vec3i::Ones();
@@ -77,7 +77,7 @@ struct CubeRange {
 };
 
 // Halves the range until it is small or far from the surface.
-void findNear(const Lattice& lattice, const CubeRange& range, double lipschitz,
+void findNear(const CubeLattice& lattice, const CubeRange& range, double lipschitz,
               std::vector<CubeRange>& near) {
   const Vec3i size = range.high - range.low;
   if ((size.array() <= 0).any()) return;
@@ -102,7 +102,7 @@ void findNear(const Lattice& lattice, const CubeRange& range, double lipschitz,
 // Calls visit with the twelve tetrahedra that each cube of the range owns: around the line from its
 // centre to the next one along each axis. All have positive volume.
 template <typename Visit>
-void forTetrahedra(const Lattice& lattice, const CubeRange& range, const Visit& visit) {
+void forTetrahedra(const CubeLattice& lattice, const CubeRange& range, const Visit& visit) {
   for (int i = range.low.x(); i < range.high.x(); ++i)
     for (int j = range.low.y(); j < range.high.y(); ++j)
       for (int k = range.low.z(); k < range.high.z(); ++k)
@@ -121,7 +121,7 @@ void forTetrahedra(const Lattice& lattice, const CubeRange& range, const Visit& 
 // Triangles over lattice edges; a point is one crossed edge.
 class Crossings {
  public:
-  explicit Crossings(const Lattice& lattice) : lattice_(lattice) {}
+  explicit Crossings(const CubeLattice& lattice) : lattice_(lattice) {}
 
   void march(const Tetrahedron& t) {
     int inside = 0, first = -1, second = -1, outside = -1;
@@ -181,12 +181,12 @@ class Crossings {
     }
   };
 
-  const Lattice& lattice_;
+  const CubeLattice& lattice_;
   std::unordered_map<LatticeEdge, int, Hash> numbers_;
 };
 
 // The zero crossing on the edge: regula falsi, Illinois variant.
-Vec3 crossing(const Lattice& lattice, const LatticeEdge& edge) {
+Vec3 crossing(const CubeLattice& lattice, const LatticeEdge& edge) {
   Vec3 a = lattice.point(edge.first), b = lattice.point(edge.second), p = b;
   double va = lattice.value(edge.first), vb = lattice.value(edge.second);
   int side = 0;
@@ -218,7 +218,7 @@ TriangleMesh polygonise(const Value& value, const Aabb& box, const PolygoniseSet
           "a surface was asked for in an endless box; give a finite one");
   TriangleMesh mesh;
   if (box.empty()) return mesh;
-  Lattice lattice(value, box, kCellOfEdge * settings.edge);
+  CubeLattice lattice(value, box, kCellOfEdge * settings.edge);
   std::vector<CubeRange> near;
   findNear(lattice, {Vec3i::Zero(), lattice.cells() - Vec3i::Ones()}, settings.lipschitz, near);
   for (const CubeRange& range : near)

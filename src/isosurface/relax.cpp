@@ -9,7 +9,7 @@
 namespace resect {
 namespace {
 
-constexpr std::size_t kGrain = 512;
+constexpr std::size_t kRelaxGrain = 512;
 
 // Exact for linear functions: four values at the corners of a regular tetrahedron.
 Vec3 gradient(const ScalarFunction& value, const Vec3& p, double step) {
@@ -81,7 +81,7 @@ void evenOut(const ScalarFunction& value, TriangleMesh& mesh, double edge) {
       sum[t[e]] += mesh.points[t[(e + 1) % 3]] + mesh.points[t[(e + 2) % 3]];
       count[t[e]] += 2;
     }
-  parallelFor(mesh.points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallelFor(mesh.points.size(), kRelaxGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Vec3 p = mesh.points[i];
       const Vec3 g = gradient(value, p, 0.02 * edge);
@@ -114,7 +114,7 @@ int splitCuttingEdges(const ScalarFunction& value, TriangleMesh& mesh, double to
   }
   std::vector<Vec3> placed(edges.size());
   std::vector<char> cuts(edges.size(), 0);
-  parallelFor(edges.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallelFor(edges.size(), kRelaxGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto [a, b] = edges[i];
       const Vec3 middle = 0.5 * (mesh.points[a] + mesh.points[b]);

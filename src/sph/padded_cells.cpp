@@ -13,7 +13,7 @@
 namespace resect {
 namespace {
 
-constexpr std::size_t kGrain = 4;  // planes per block of work
+constexpr std::size_t kPlanes = 4;  // planes per block of work
 // Prefetch distance in bytes: a large organ's cells come from memory, and rows are too short for
 // the hardware prefetcher.
 constexpr std::size_t kAhead = 2048, kLine = 64;
@@ -97,7 +97,7 @@ ColourValues padded(std::span<const Cell> cells, const Vec3i& dims, const Vec3i&
   growTo(all, count + kBehind);
   std::fill_n(all.begin() + std::ptrdiff_t(count), kBehind, Cell(0));
   const std::vector<std::uint64_t> ofCells = bitsOfCells(width, held.words);
-  parallelFor(std::size_t(paddedDims.z()), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallelFor(std::size_t(paddedDims.z()), kPlanes, [&](std::size_t begin, std::size_t end) {
     for (std::size_t plane = begin; plane < end; ++plane) {
       Cell* to = all.data() + plane * down * across;
       Cell* const last = to + down * across;

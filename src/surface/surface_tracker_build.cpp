@@ -23,7 +23,7 @@ std::uint64_t nextBuild() {
   return ++builds << 32;
 }
 
-constexpr std::size_t kGrain = 128;  // bricks per block of work: some 50 us
+constexpr std::size_t kBuildGrain = 128;  // bricks per block of work: some 50 us
 // Bricks that the pass advances by, for each thread: their nodes take a quarter of a megabyte.
 constexpr std::size_t kStretch = 1024;
 
@@ -47,7 +47,7 @@ void makeRoom(RawArray<T>& array, std::size_t size) {
 // Calls visit(begin, end) for blocks of [begin, end).
 template <typename Visit>
 void inBlocks(std::size_t begin, std::size_t end, Visit visit) {
-  parallelFor(end - begin, kGrain,
+  parallelFor(end - begin, kBuildGrain,
               [&](std::size_t first, std::size_t last) { visit(begin + first, begin + last); });
 }
 

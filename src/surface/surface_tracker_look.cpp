@@ -10,7 +10,7 @@
 namespace resect {
 namespace {
 
-constexpr std::size_t kGrain = 64;  // bricks per block of work: some 50 us
+constexpr std::size_t kLookGrain = 64;  // bricks per block of work: some 50 us
 
 }  // namespace
 
@@ -36,7 +36,7 @@ void SurfaceTracker::updateLook(const ColourField& field) {
   std::sort(lookDue_.begin(), lookDue_.end());
   lookDue_.erase(std::unique(lookDue_.begin(), lookDue_.end()), lookDue_.end());
   const NodeGrid grid(field, iso_);
-  parallelFor(lookDue_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallelFor(lookDue_.size(), kLookGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       if (hasMesh(lookDue_[i])) writeLook(field, grid, lookDue_[i]);
   });

@@ -12,12 +12,13 @@ namespace {
 constexpr double kOnPlane = 1e-12;       // m, as in collision/swept_blade.cpp
 constexpr double kBorder = 1e-9;         // m
 constexpr double kShortestTrace = 1e-6;  // node spacings
-constexpr int kSide = 5;
-constexpr int kStep[3] = {1, kSide, kSide* kSide};
-constexpr int kPlacedNodes = kSide * kSide * kSide;  // on which a brick's edges and faces lie
+constexpr int kRasterSide = 5;
+constexpr int kStep[3] = {1, kRasterSide, kRasterSide* kRasterSide};
+constexpr int kPlacedNodes =
+    kRasterSide * kRasterSide * kRasterSide;  // on which a brick's edges and faces lie
 using Vec2 = Eigen::Vector2d;
 
-int at(const Vec3i& n) { return (n.z() * kSide + n.y()) * kSide + n.x(); }
+int at(const Vec3i& n) { return (n.z() * kRasterSide + n.y()) * kRasterSide + n.x(); }
 
 // The nodes of a brick: positions, and heights above one of the blade's triangles.
 struct GridBrick {
@@ -98,7 +99,8 @@ Aabb boundsOf(const BladeTriangle& t) {
 
 // A corner of the cell at the brick's node n.
 int cornerOf(const Vec3i& n, int corner) {
-  return at(n) + (corner & 1) + (corner >> 1 & 1) * kSide + (corner >> 2) * kSide * kSide;
+  return at(n) + (corner & 1) + (corner >> 1 & 1) * kRasterSide +
+         (corner >> 2) * kRasterSide * kRasterSide;
 }
 
 // A sweep's triangles are far smaller than a brick: most miss most of its cells. reach: bounds of
@@ -146,7 +148,8 @@ std::int64_t severAtRest(SeveredEdges& severed, const ColourField& field, const 
     if (!matters(brick)) continue;
     b.first = kBrickNodes * brick;
     for (int i = 0; i < kPlacedNodes; ++i) {
-      const Vec3i node = b.first + Vec3i(i % kSide, i / kSide % kSide, i / kSide / kSide);
+      const Vec3i node = b.first + Vec3i(i % kRasterSide, i / kRasterSide % kRasterSide,
+                                         i / kRasterSide / kRasterSide);
       b.place[std::size_t(i)] = field.nodePosition(node.cast<double>());
     }
     for (std::size_t t = 0; t < blade.triangles.size(); ++t)

@@ -5,12 +5,12 @@
 namespace resect {
 namespace {
 
-constexpr int kHalo = BrickWindow::kHalo, kSide = BrickWindow::kSide;
-
 // The part of a neighbouring brick's 64 nodes that lies in the window.
 void copy(const float* from, const Vec3i& step, std::array<float, BrickWindow::kNodes>& to) {
-  const auto low = [&](int a) { return step[a] < 0 ? kBrickNodes - kHalo : 0; };
-  const auto high = [&](int a) { return step[a] > 0 ? kSide - kHalo - kBrickNodes : kBrickNodes; };
+  const auto low = [&](int a) { return step[a] < 0 ? kBrickNodes - BrickWindow::kHalo : 0; };
+  const auto high = [&](int a) {
+    return step[a] > 0 ? BrickWindow::kSide - BrickWindow::kHalo - kBrickNodes : kBrickNodes;
+  };
   for (int z = low(2); z < high(2); ++z)
     for (int y = low(1); y < high(1); ++y) {
       const float* row = from + (z * 4 + y) * 4;
@@ -33,8 +33,8 @@ BrickWindow::BrickWindow(const ColourField& field, const SeveredEdges& wound, co
     for (int a = 0; a < 3; ++a)
       if (wound.mask(index, a) != 0) copy(wound.shares(index, a), step, severed[std::size_t(a)]);
   }
-  grid = {kBrickNodes * brick - Vec3i::Constant(kHalo),
-          Vec3i::Constant(kSide),
+  grid = {kBrickNodes * brick - Vec3i::Constant(BrickWindow::kHalo),
+          Vec3i::Constant(BrickWindow::kSide),
           iso,
           value.data(),
           {severed[0].data(), severed[1].data(), severed[2].data()},

@@ -8,7 +8,6 @@
 namespace resect {
 namespace {
 
-constexpr int kHalo = BrickWindow::kHalo, kSide = BrickWindow::kSide;
 constexpr std::array<std::uint64_t, 3> kNone{};
 
 class BrickCutter {
@@ -57,7 +56,7 @@ class BrickCutter {
 
   static Vec3i local(int node) { return {node & 3, node >> 2 & 3, node >> 4}; }
   static int index(const Vec3i& n) { return BrickWindow::index(n); }
-  static Vec3i inWindow(const Vec3i& n) { return n + Vec3i::Constant(kHalo); }
+  static Vec3i inWindow(const Vec3i& n) { return n + Vec3i::Constant(BrickWindow::kHalo); }
   const CutGrid& grid() const { return window_.grid; }
 
   void findCells() {
@@ -91,7 +90,8 @@ class BrickCutter {
 
   bool allInside(int i) const {
     for (int c = 0; c < 8; ++c)
-      if (!grid().inside(i + (c & 1) + (c >> 1 & 1) * kSide + (c >> 2) * kSide * kSide))
+      if (!grid().inside(i + (c & 1) + (c >> 1 & 1) * BrickWindow::kSide +
+                         (c >> 2) * BrickWindow::kSide * BrickWindow::kSide))
         return false;
     return true;
   }
@@ -236,7 +236,7 @@ class BrickCutter {
 
   // Difference of the field along an axis at a node of the window, as in isosurface/brick_look.h.
   float growth(int i, int axis) const {
-    constexpr int kStep[3] = {1, kSide, kSide * kSide};
+    constexpr int kStep[3] = {1, BrickWindow::kSide, BrickWindow::kSide * BrickWindow::kSide};
     constexpr float kWeight[3] = {1, 2, 1};
     const int along = kStep[axis], u = kStep[(axis + 1) % 3], v = kStep[(axis + 2) % 3];
     float sum = 0;

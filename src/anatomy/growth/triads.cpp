@@ -11,12 +11,12 @@
 namespace resect {
 namespace {
 
-constexpr double kMostTurn = 0.5236;    // rad, 30 degrees: of a piece about the vein
-constexpr double kAway = 1.04;          // a chord of that turn is nearer to the vein than its ends
-constexpr double kApart = 0.5e-4;       // m: least gap between vessels
-constexpr double kThinnest = 0.5e-4;    // m: radius below which a branch ends
-constexpr double kLongest = 0.006;      // m: of a piece
-constexpr double kBelowSurface = 3e-4;  // m
+constexpr double kMostTurn = 0.5236;  // rad, 30 degrees: of a piece about the vein
+constexpr double kAway = 1.04;        // a chord of that turn is nearer to the vein than its ends
+constexpr double kApart = 0.5e-4;     // m: least gap between vessels
+constexpr double kThinnestBranch = 0.5e-4;  // m: radius below which a branch ends
+constexpr double kLongestPiece = 0.006;     // m: of a piece
+constexpr double kBelowSurface = 3e-4;      // m
 constexpr double kShallow = 3;  // radii: where the vein is less deep, both run level with it
 constexpr double kLook = 5e-4;  // m: steps along a piece, to look at its depth
 constexpr int kRounds = 40;     // of pushing aside
@@ -83,7 +83,7 @@ std::vector<VesselSegment> beside(std::span<const VesselSegment> veins, std::spa
     const Vec3 flat = across(along, from);
     const double angle = math::atan2(along.dot(flat.cross(to)), flat.dot(to));
     const int pieces =
-        1 + std::max(int(std::abs(angle) / kMostTurn), int(vein.length() / kLongest));
+        1 + std::max(int(std::abs(angle) / kMostTurn), int(vein.length() / kLongestPiece));
     std::int32_t parent = root ? -1 : last[std::size_t(vein.parent)];
     Vec3 start = root ? Vec3(vein.start + sign * away(r0) * from) : tree[std::size_t(parent)].end;
     for (int k = 1; k <= pieces; ++k) {
@@ -162,7 +162,7 @@ void halveLong(std::vector<VesselSegment>& tree) {
   for (std::size_t i = 0; i < tree.size(); ++i) {
     VesselSegment s = tree[i];
     if (s.parent >= 0) s.parent = number[std::size_t(s.parent)];
-    if (s.parent >= 0 && s.length() > kLongest) {
+    if (s.parent >= 0 && s.length() > kLongestPiece) {
       VesselSegment first = s;
       first.end = s.at(0.5);
       first.leaf = false;
@@ -196,7 +196,7 @@ bool keep(VesselSegment s, const Surroundings& around, Kept& kept) {
   const int steps = within ? 1 + int(s.length() / kLook) : 0;
   for (int k = 1; k <= steps; ++k)
     s.radius = std::min(s.radius, around.inside.depth(s.at(double(k) / steps)) - kApart);
-  if (s.radius < kThinnest) return false;
+  if (s.radius < kThinnestBranch) return false;
   kept.tree.push_back(s);
   kept.within.push_back(within || comesIn);
   return true;
@@ -206,8 +206,8 @@ bool keep(VesselSegment s, const Surroundings& around, Kept& kept) {
 bool keepRound(const VesselSegment& s, const Surroundings& around, Kept& kept) {
   const std::size_t before = kept.tree.size();
   for (const double share : kNarrower) {
-    const double radius = std::max(share * s.radius, 2 * kThinnest);
-    const std::vector<Vec3> way = detour(s.start, s.end, radius, kLongest, around);
+    const double radius = std::max(share * s.radius, 2 * kThinnestBranch);
+    const std::vector<Vec3> way = detour(s.start, s.end, radius, kLongestPiece, around);
     VesselSegment piece = s;
     bool whole = way.size() > 1;
     for (std::size_t k = 1; k < way.size() && whole; ++k) {

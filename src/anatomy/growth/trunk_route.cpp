@@ -10,10 +10,10 @@
 namespace resect {
 namespace {
 
-constexpr double kDeep = 0.008;        // m: a route nearer than this to the surface costs more
-constexpr double kBeside = 30;         // added cost beside a vessel of another tree
-constexpr double kLongest = 0.03;      // m: of a piece
-constexpr double kTrunkRoom = 0.0015;  // m: radius that a route keeps free below the surface
+constexpr double kDeep = 0.008;  // m: a route nearer than this to the surface costs more
+constexpr double kBeside = 30;   // added cost beside a vessel of another tree
+constexpr double kLongestTrunkPiece = 0.03;  // m: of a piece
+constexpr double kTrunkRoom = 0.0015;        // m: radius that a route keeps free below the surface
 
 // The cheapest way over the places, from one to another.
 // beside(p): whether p is too near to another vessel.
@@ -119,7 +119,8 @@ std::vector<Vec3> GrowingVessels::route(const Vec3& from, const Vec3& to, int tr
   std::vector<Vec3> pulled{from};  // straight
   for (std::size_t i = 0; i + 1 < way.size();) {
     std::size_t j = way.size() - 1;
-    while (j > i + 1 && ((way[j] - way[i]).norm() > kLongest || !open(way[i], way[j]))) --j;
+    while (j > i + 1 && ((way[j] - way[i]).norm() > kLongestTrunkPiece || !open(way[i], way[j])))
+      --j;
     pulled.push_back(way[j]);
     i = j;
   }

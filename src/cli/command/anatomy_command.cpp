@@ -29,7 +29,7 @@
 namespace resect {
 namespace {
 
-struct Options {
+struct AnatomyOptions {
   std::string organ, unit = "m", out, meshes;
   std::vector<std::string> structures;  // KIND=FILE
   std::vector<double> hilum, cava;
@@ -64,7 +64,7 @@ struct Grown {
 };
 
 // The centre lines of vessels in model files, with smaller vessels.
-Anatomy broughtVessels(const Options& options, const TriangleMesh& organ, double metres) {
+Anatomy broughtVessels(const AnatomyOptions& options, const TriangleMesh& organ, double metres) {
   OrganSource source;
   source.smallVessels = !options.onlyFound;
   for (const std::string& one : options.structures) {
@@ -81,7 +81,7 @@ Anatomy broughtVessels(const Options& options, const TriangleMesh& organ, double
   return vesselsOf(source, Pose(), organ, modelReader(), nullptr)->anatomy;
 }
 
-Grown anatomyOf(const Options& options) {
+Grown anatomyOf(const AnatomyOptions& options) {
   if (options.organ.empty()) {
     if (!options.structures.empty())
       throw usageError("--structure needs the organ that the vessels belong to; add --organ FILE");
@@ -205,7 +205,7 @@ nlohmann::ordered_json flows(const Anatomy& anatomy) {
   return rows;
 }
 
-void anatomy(const Options& options) {
+void anatomy(const AnatomyOptions& options) {
   checkOutputs({{{"--output", options.out}, {"--json", options.json ? "-" : ""}}});
   const Grown grown = anatomyOf(options);
   if (!options.out.empty()) writeVessels(options.out, grown.anatomy);
@@ -264,7 +264,7 @@ void anatomy(const Options& options) {
 }  // namespace
 
 void addAnatomyCommand(Command app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<AnatomyOptions>();
   Command command = app.subcommand(
       "anatomy", "Show the liver's vessels and segments, or grow or find those of an organ");
   command.option("--organ", options->organ, "Model file of a closed organ to grow vessels into");

@@ -29,7 +29,7 @@
 namespace resect {
 namespace {
 
-struct Options {
+struct BenchOptions {
   std::string scenario = "cut", organ, json;
   int threads = 0;
   double most = 1e6;
@@ -60,7 +60,7 @@ int threadsBesideLoop(int wanted) {
   return wanted > 0 ? wanted : std::max(1, int(std::thread::hardware_concurrency()) - 1);
 }
 
-void runHaptics(const Options& options, const OrganOptions& organOptions, bool named) {
+void runHaptics(const BenchOptions& options, const OrganOptions& organOptions, bool named) {
   const ThreadLimit threads(threadsBesideLoop(options.threads));
   std::vector<Scenario> scenarios;
   std::vector<std::filesystem::path> inputs;
@@ -95,7 +95,7 @@ void runHaptics(const Options& options, const OrganOptions& organOptions, bool n
   if (!options.json.empty()) writeJson(options.json, json);
 }
 
-void run(const Options& options, const OrganOptions& organOptions) {
+void run(const BenchOptions& options, const OrganOptions& organOptions) {
   const ThreadLimit threads(options.threads);
   Scenario scenario = readScenario(findDataFile(options.scenario, "scenarios", ".toml"));
   organOptions.applyTo(scenario, options.organ);
@@ -129,7 +129,7 @@ void run(const Options& options, const OrganOptions& organOptions) {
 }  // namespace
 
 void addBenchCommand(Command app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BenchOptions>();
   Command command = app.subcommand(
       "bench", "Say how fast an operation is here, and how large an organ keeps real time");
   const Option scenario = command

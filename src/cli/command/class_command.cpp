@@ -22,7 +22,7 @@
 namespace resect {
 namespace {
 
-struct Options {
+struct ClassOptions {
   std::string folder, output, history;
   bool names = false, graded = false;
   LearningTest test;
@@ -54,7 +54,8 @@ HistoryEntry scoreOf(const ClassFile& file, LearnerHistory* history) {
   return entry;
 }
 
-void add(ClassBook& book, const ClassFile& file, const Options& options, LearnerHistory* history) {
+void add(ClassBook& book, const ClassFile& file, const ClassOptions& options,
+         LearnerHistory* history) {
   const HistoryEntry entry = scoreOf(file, history);
   LearnerCourse& course = courseOfLearner(courseOfTask(book, entry), file.learner);
   const bool first = course.attempts.empty();
@@ -74,7 +75,7 @@ void printSummary(const ClassBook& book) {
   }
 }
 
-void classTable(const Options& options) {
+void classTable(const ClassOptions& options) {
   const std::string extension = std::filesystem::path(options.output).extension().string();
   if (!options.output.empty() && extension != ".html" && extension != ".csv")
     throw usageError("--output is \"{}\"; give a name that ends in .html or .csv", options.output);
@@ -112,7 +113,7 @@ void classTable(const Options& options) {
 }  // namespace
 
 void addClassCommand(Command app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ClassOptions>();
   Command command = app.subcommand("class", "Score the recordings of a class: who passed what");
   command
       .option("FOLDER", options->folder,

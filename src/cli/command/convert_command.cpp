@@ -21,12 +21,12 @@
 namespace resect {
 namespace {
 
-struct Options {
+struct ConvertOptions {
   std::string in, out, part, unit = "m";
   bool repair = false, json = false;
 };
 
-void convert(const Options& options) {
+void convert(const ConvertOptions& options) {
   // Wrong names and units are reported before the work.
   checkWritableMeshFile(options.out);
   std::vector<std::filesystem::path> inputs{options.in};
@@ -68,7 +68,7 @@ void convert(const Options& options) {
 }  // namespace
 
 void addConvertCommand(Command app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ConvertOptions>();
   Command command = app.subcommand("convert", "Write a model in another format, in metres");
   command.option("IN", options->in, ".iv .wrl .obj .stl .ply .off .glb .gltf .3mf .vtk").required();
   command.option("OUT", options->out, ".obj .stl .ply .vtk .iv").required();

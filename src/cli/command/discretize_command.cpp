@@ -22,11 +22,11 @@
 namespace resect {
 
 void addDiscretizeCommand(Command app) {
-  struct Options {
+  struct DiscretizeOptions {
     std::string mesh, output;
     bool json = false;
   };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DiscretizeOptions>();
   Command command = app.subcommand("discretize", "Turn a closed mesh into particles on a lattice");
   command
       .option("MESH", options->mesh,

@@ -31,7 +31,7 @@ constexpr double kUsualRate = 10;
 
 enum class Kind { Glb, Vtp, Csv };
 
-struct Options {
+struct ExportOptions {
   std::string file, out, table;
   RecordedPart part;
   double rate = 0;  // 0: not given
@@ -39,7 +39,7 @@ struct Options {
   bool overwrite = false;
 };
 
-Kind kindOf(const Options& options) {
+Kind kindOf(const ExportOptions& options) {
   std::string ending = fs::path(options.out).extension().string();
   for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
   if (ending == ".glb") return Kind::Glb;
@@ -51,7 +51,7 @@ Kind kindOf(const Options& options) {
       options.out);
 }
 
-const RecordingTable& tableOf(const Options& options) {
+const RecordingTable& tableOf(const ExportOptions& options) {
   const std::string name = options.table.empty() ? "samples" : options.table;
   std::string names;
   for (const RecordingTable& table : recordingTables()) {
@@ -61,7 +61,7 @@ const RecordingTable& tableOf(const Options& options) {
   throw usageError("--table is \"{}\"; choose one of {}", name, names);
 }
 
-void checkOptions(const Options& options, Kind kind) {
+void checkOptions(const ExportOptions& options, Kind kind) {
   options.part.check();
   if (kind != Kind::Csv && !options.table.empty())
     throw usageError("--table chooses a table, and {} holds surfaces; give --output a .csv",
@@ -73,7 +73,7 @@ void checkOptions(const Options& options, Kind kind) {
     throw usageError("--rate is not a number; give moments per second, 0.01 to 1000");
 }
 
-void checkFiles(const Options& options, Kind kind) {
+void checkFiles(const ExportOptions& options, Kind kind) {
   RunOutputs outputs;
   outputs.overwrite = options.overwrite;
   if (kind == Kind::Vtp) {
@@ -90,7 +90,7 @@ std::string megabytes(std::uint64_t bytes) {
   return fmt::format("{:.1f} MB", 1e-6 * double(bytes));
 }
 
-void writeGlb(const Options& options, Replay& replay, const ExportedPart& part) {
+void writeGlb(const ExportOptions& options, Replay& replay, const ExportedPart& part) {
   std::vector<OrganColours> colours;
   for (const ScenarioOrgan& organ : replay.setup().scenario.organs)
     colours.push_back({organColour(organ.source), kCutColour});
@@ -99,7 +99,7 @@ void writeGlb(const Options& options, Replay& replay, const ExportedPart& part) 
             options.out, made.moments, part.rate, made.surfaces, megabytes(made.bytes));
 }
 
-void writeSeries(const Options& options, Replay& replay, const ExportedPart& part) {
+void writeSeries(const ExportOptions& options, Replay& replay, const ExportedPart& part) {
   const VtpSeries series = seriesOf(options.out, "--output");
   if (options.overwrite) {
     removeNumberedFiles(series.files);
@@ -111,14 +111,14 @@ void writeSeries(const Options& options, Replay& replay, const ExportedPart& par
             files, part.rate, series.files.before, series.files.extension);
 }
 
-void writeTable(const Options& options, Replay& replay, const ExportedPart& part) {
+void writeTable(const ExportOptions& options, Replay& replay, const ExportedPart& part) {
   const RecordingTable& table = tableOf(options);
   const std::int64_t rows = exportTable(replay, part, table, options.out, progressBar("export"));
   printLine(placeForText({options.out}), "{}: {} rows of the table \"{}\"; each is {}", options.out,
             rows, table.name, table.oneRow);
 }
 
-void run(const Options& options) {
+void run(const ExportOptions& options) {
   const ThreadLimit threads(options.threads);
   const Kind kind = kindOf(options);
   checkOptions(options, kind);
@@ -143,7 +143,7 @@ std::string tableHelp() {
 }  // namespace
 
 void addExportCommand(Command app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportOptions>();
   Command command =
       app.subcommand("export", "Write a recording for Blender, ParaView or a spreadsheet");
   addRecordingOption(command, options->file);

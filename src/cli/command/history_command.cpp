@@ -18,7 +18,7 @@
 namespace resect {
 namespace {
 
-struct Options {
+struct HistoryOptions {
   std::string file, learner, csv;
   bool remove = false;
 };
@@ -46,7 +46,7 @@ void writeRows(CsvWriter& csv, const std::vector<HistoryEntry>& entries) {
   }
 }
 
-void history(const Options& options) {
+void history(const HistoryOptions& options) {
   if (!std::filesystem::exists(options.file))
     throw error("{}: there is no such file; report and class keep one if --history names it",
                 options.file);
@@ -71,7 +71,7 @@ void history(const Options& options) {
 }  // namespace
 
 void addHistoryCommand(Command app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<HistoryOptions>();
   Command command = app.subcommand("history", "Show, export or delete what learners did");
   command
       .option("FILE", options->file,

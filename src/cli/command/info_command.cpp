@@ -26,12 +26,12 @@
 namespace resect {
 namespace {
 
-struct Options {
+struct InfoOptions {
   std::string file, part, unit = "m", slices;
   bool json = false;
 };
 
-void infoOfParticles(const Options& options) {
+void infoOfParticles(const InfoOptions& options) {
   if (!options.part.empty())
     throw usageError("{} holds particles: it has no parts; leave --part out", options.file);
   const KeptCells kept = readParticleFile(options.file, parseUnit(options.unit, "--unit"));
@@ -65,7 +65,7 @@ nlohmann::ordered_json filesOf(const std::string& folder) {
 }
 
 // About the image, or the folder of images, and about the organ that it would give.
-void infoOfLabels(const Options& options) {
+void infoOfLabels(const InfoOptions& options) {
   if (options.unit != "m")
     throw usageError("{}: label images tell their size themselves; leave --unit out", options.file);
   LabelFacts facts;
@@ -103,7 +103,7 @@ void infoOfLabels(const Options& options) {
     fmt::print("{}", text);
 }
 
-void info(const Options& options) {
+void info(const InfoOptions& options) {
   if (!options.slices.empty()) {
     if (!isLabelled(options.file))
       throw usageError("{}: is no label image; leave --slices out", options.file);
@@ -126,7 +126,7 @@ void info(const Options& options) {
 }  // namespace
 
 void addInfoCommand(Command app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<InfoOptions>();
   Command command = app.subcommand("info", "Tell what a file holds and whether it is sound");
   command
       .option(

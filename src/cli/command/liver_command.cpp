@@ -16,11 +16,11 @@
 namespace resect {
 
 void addLiverCommand(Command app) {
-  struct Options {
+  struct LiverOptions {
     std::string output, edge = "2.5mm";
     bool json = false;
   };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<LiverOptions>();
   Command command = app.subcommand("liver", "Write the built-in human liver as a mesh");
   command.option("-o,--output", options->output, "Mesh file: .obj .stl .ply .vtk .iv").required();
   command.option("--edge", options->edge, "Longest edge of a triangle, 0.5mm to 5mm").showDefault();

@@ -27,13 +27,13 @@
 namespace resect {
 namespace {
 
-struct Options {
+struct OrganCommandOptions {
   std::vector<std::string> files;
   std::string output;
   bool json = false;
 };
 
-void makeOrganFile(const Options& options, const OrganOptions& organ) {
+void makeOrganFile(const OrganCommandOptions& options, const OrganOptions& organ) {
   if (!isCellsFile(options.output))
     throw usageError("--output is {}; give a name that ends in .resect-cells", options.output);
   OrganSource source;
@@ -79,7 +79,7 @@ void makeOrganFile(const Options& options, const OrganOptions& organ) {
 }  // namespace
 
 void addOrganCommand(Command app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<OrganCommandOptions>();
   Command command =
       app.subcommand("organ", "Make a file of cells from what a scan or several models hold");
   command

@@ -34,7 +34,7 @@
 namespace resect {
 namespace {
 
-struct Options {
+struct RenderOptions {
   std::vector<std::string> models;
   std::string out, size = "1280x720", view = "surgeon", quality = "window", part, unit = "m",
                    pose = "lie";
@@ -66,7 +66,7 @@ Eigen::Quaterniond rotationFor(const std::string& pose, const TriangleMesh& mesh
   return pose == "lie" ? restingRotation(mesh) : Eigen::Quaterniond::Identity();
 }
 
-void render(const Options& options) {
+void render(const RenderOptions& options) {
   int width = 0, height = 0;
   parseSize(options.size, width, height);
   const auto view = roomView(options.view);
@@ -136,7 +136,7 @@ void render(const Options& options) {
 }  // namespace
 
 void addRenderCommand(Command app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderOptions>();
   Command command = app.subcommand("render", "A picture of models in the operating room");
   command
       .option("MESH", options->models,

@@ -25,7 +25,7 @@
 namespace resect {
 namespace {
 
-struct Options {
+struct ReplayOptions {
   std::string file, json;
   PictureOptions pictures;
   RecordedPart part;
@@ -49,7 +49,7 @@ std::string lineOf(const OperationEvent& event, const RecordedSetup& setup) {
   return event.text.empty() ? line : line + ": " + event.text;
 }
 
-void play(const Options& options) {
+void play(const ReplayOptions& options) {
   options.part.check();
   options.pictures.check();
   if (options.pictures.wanted() || !options.json.empty())
@@ -137,7 +137,7 @@ void play(const Options& options) {
 }  // namespace
 
 void addReplayCommand(Command app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReplayOptions>();
   Command command = app.subcommand("replay", "Play a recorded operation, and draw it");
   addRecordingOption(command, options->file);
   addPartOptions(command, options->part);

@@ -40,7 +40,7 @@
 namespace resect {
 namespace {
 
-struct Options {
+struct ReportOptions {
   std::vector<std::string> files;
   std::string output, json, csv, samples, xapi, lrs, history, task, level, learner;
   std::string known;  // a history that is only read; "": none
@@ -49,14 +49,14 @@ struct Options {
   bool graded = false, plain = false;
 };
 
-std::optional<TaskLevel> levelOf(const Options& options) {
+std::optional<TaskLevel> levelOf(const ReportOptions& options) {
   if (options.level.empty()) return {};
   const auto level = taskLevel(options.level);
   if (!level) throw usageError("--level is \"{}\"; use easy, medium or hard", options.level);
   return level;
 }
 
-std::vector<std::filesystem::path> inputsOf(const Options& options) {
+std::vector<std::filesystem::path> inputsOf(const ReportOptions& options) {
   std::vector<std::filesystem::path> inputs;
   const auto add = [&](const std::string& file) {
     for (const auto& part : filesOfRecording(file)) inputs.push_back(part);
@@ -66,7 +66,7 @@ std::vector<std::filesystem::path> inputsOf(const Options& options) {
   return inputs;
 }
 
-AttemptOptions attemptOptions(const Options& options) {
+AttemptOptions attemptOptions(const ReportOptions& options) {
   AttemptOptions attempt;
   attempt.learner = options.learner;
   if (options.task.empty()) return attempt;
@@ -76,7 +76,7 @@ AttemptOptions attemptOptions(const Options& options) {
   return attempt;
 }
 
-Scored scoredFile(const std::string& file, const Options& options, bool graded) {
+Scored scoredFile(const std::string& file, const ReportOptions& options, bool graded) {
   Attempt attempt = readAttempt(file, attemptOptions(options), progressBar(file));
   if (!attempt.task)
     throw error(
@@ -85,7 +85,7 @@ Scored scoredFile(const std::string& file, const Options& options, bool graded) 
   return score(std::move(attempt), levelOf(options), graded);
 }
 
-void keepHistory(const Options& options, const std::vector<Scored>& attempts) {
+void keepHistory(const ReportOptions& options, const std::vector<Scored>& attempts) {
   LearnerHistory history(options.history);
   const std::optional<Task> task = attemptOptions(options).task;
   for (const Scored& one : attempts)
@@ -94,7 +94,7 @@ void keepHistory(const Options& options, const std::vector<Scored>& attempts) {
 
 // The history that the window keeps above the folders of its learners, if the recording lies in one
 // and no other history is named; and the learner then. So both say the same of an attempt.
-void useHistoryBeside(Options& options) {
+void useHistoryBeside(ReportOptions& options) {
   if (!options.history.empty() || options.files.empty()) return;
   const std::filesystem::path folder =
       std::filesystem::absolute(options.files.back()).parent_path();
@@ -110,7 +110,7 @@ struct Known {
   std::vector<ClassAttempt> earlier, others;
   std::optional<bool> graded;  // the first of the attempts, when it was scored before
 };
-Known knownOf(const Options& options, const std::vector<Scored>& attempts) {
+Known knownOf(const ReportOptions& options, const std::vector<Scored>& attempts) {
   Known known;
   const std::string& file = options.history.empty() ? options.known : options.history;
   if (file.empty()) return known;
@@ -136,7 +136,7 @@ Known knownOf(const Options& options, const std::vector<Scored>& attempts) {
 }
 
 // The time of an attempt is that at which its recording was last written.
-XapiContext xapiContext(const Options& options, const Scored& scored) {
+XapiContext xapiContext(const ReportOptions& options, const Scored& scored) {
   XapiContext context;
   if (!options.learner.empty()) context.actor = options.learner;
   const auto written = std::filesystem::last_write_time(scored.attempt.file);
@@ -148,7 +148,7 @@ XapiContext xapiContext(const Options& options, const Scored& scored) {
 }
 
 // Sent last, so that nothing is lost if the store does not answer.
-void send(const Options& options, const nlohmann::ordered_json& statements) {
+void send(const ReportOptions& options, const nlohmann::ordered_json& statements) {
   const char* key = std::getenv("RESECT_LRS_KEY");
   const bool taken = sendStatements(options.lrs, statements.dump(), key ? key : "");
   printLine(stderr, "{}: {}", options.lrs,
@@ -181,7 +181,7 @@ void printSummary(std::FILE* to, const Scored& s) {
     printLine(to, "  {:>7}  {}", d.time ? timeText(*d.time) : "", d.fact);
 }
 
-void report(Options options) {
+void reportOn(ReportOptions options) {
   useHistoryBeside(options);
   const ThreadLimit threads(options.threads);
   checkOutputs({{{"--output", options.output},
@@ -239,7 +239,7 @@ void report(Options options) {
 }  // namespace
 
 void addReportCommand(Command app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReportOptions>();
   Command command = app.subcommand("report", "Score recorded attempts at a task: the debrief");
   command
       .option("FILE", options->files,
@@ -272,7 +272,7 @@ void addReportCommand(Command app) {
   command.footer(
       "Examples:\n  resect run control-bleeding --record mine.resect\n"
       "  resect report mine.resect -o report.html");
-  command.action([options] { report(*options); });
+  command.action([options] { reportOn(*options); });
 }
 
 }  // namespace resect

@@ -33,14 +33,14 @@
 namespace resect {
 namespace {
 
-struct Options {
+struct RunOptions {
   std::string scenario, organ, breathing, record, surface, pieces, plot, json;
   PictureOptions pictures;
   int threads = 0;
   bool list = false, thesis = false, overwrite = false, strict = false;
 };
 
-NumberedOutputs piecesOf(const Options& options) {
+NumberedOutputs piecesOf(const RunOptions& options) {
   return {"--pieces", options.pieces, "piece_", ".stl"};
 }
 
@@ -50,7 +50,7 @@ void listScenarios() {
               readScenario(dataFolder() / "scenarios" / (name + ".toml")).title);
 }
 
-std::vector<std::string> writePieces(const Options& options, const Simulation& simulation) {
+std::vector<std::string> writePieces(const RunOptions& options, const Simulation& simulation) {
   const NumberedOutputs pieces = piecesOf(options);
   if (options.overwrite) removeNumberedFiles(pieces);
   std::vector<std::string> files;
@@ -64,12 +64,12 @@ std::vector<std::string> writePieces(const Options& options, const Simulation& s
   return files;
 }
 
-void checkOptions(const Options& options) {
+void checkOptions(const RunOptions& options) {
   options.pictures.check();
   if (!options.surface.empty()) checkWritableMeshFile(options.surface);
 }
 
-void checkFiles(const Options& options, const Scenario& scenario) {
+void checkFiles(const RunOptions& options, const Scenario& scenario) {
   std::vector<std::filesystem::path> inputs = filesRead(scenario);
   addFilesBeside(inputs);
   checkOutputs({{{"--surface", options.surface},
@@ -83,7 +83,7 @@ void checkFiles(const Options& options, const Scenario& scenario) {
   if (!options.record.empty()) Database::requireNothingAt(options.record);
 }
 
-void run(const Options& options, const OrganOptions& organOptions) {
+void run(const RunOptions& options, const OrganOptions& organOptions) {
   if (options.list) return listScenarios();
   if (options.scenario.empty())
     throw usageError("no scenario given; name one, or see what there is with resect run --list");
@@ -167,7 +167,7 @@ void run(const Options& options, const OrganOptions& organOptions) {
 }  // namespace
 
 void addRunCommand(Command app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RunOptions>();
   Command command = app.subcommand("run", "Run an operation headless and sum it up");
   command.option("SCENARIO", options->scenario,
                  "Scenario file, or the name of one that comes with Resect");

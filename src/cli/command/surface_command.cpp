@@ -17,13 +17,13 @@
 namespace resect {
 
 void addSurfaceCommand(Command app) {
-  struct Options {
+  struct SurfaceOptions {
     std::string input, output, unit = "m";
     float iso = 50;
     int refine = 2;
     bool json = false;
   };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SurfaceOptions>();
   Command command =
       app.subcommand("surface", "Write the surface of the organ in a file of particles");
   command.option("FILE", options->input, "File of particles: .dis .resect-cells").required();

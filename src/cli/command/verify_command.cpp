@@ -14,12 +14,12 @@
 namespace resect {
 
 void addVerifyCommand(Command app) {
-  struct Options {
+  struct VerifyOptions {
     std::string file;
     int threads = 0;
     bool json = false;
   };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<VerifyOptions>();
   Command command = app.subcommand("verify", "Play a recording and compare every frame with it");
   addRecordingOption(command, options->file);
   addThreadsOption(command, options->threads);

@@ -20,14 +20,14 @@ namespace {
 
 constexpr const char* kFirstScenario = "incise";  // of a window that is asked for no other
 
-struct Options {
+struct WindowCommandOptions {
   std::string scenario, organ, breathing, setting, language, size = "1280x800";
   double fpsLimit = 60;
   int threads = 0, history = 512;
   bool thesis = false, light = false, dark = false, reports = false, exercises = false;
 };
 
-void window(const Options& options, const OrganOptions& organOptions) {
+void window(const WindowCommandOptions& options, const OrganOptions& organOptions) {
   WindowOptions window;
   parseSize(options.size, window.width, window.height);
   const ThreadLimit threads(options.threads);
@@ -65,7 +65,7 @@ void window(const Options& options, const OrganOptions& organOptions) {
 }  // namespace
 
 void addWindowCommand(Command app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<WindowCommandOptions>();
   Command command = app.subcommand("window", "Operate with mouse and keyboard");
   command.option("SCENARIO", options->scenario,
                  "Organ and room of this scenario, or a recorded operation (*.resect) that goes "

@@ -34,7 +34,7 @@ bool isPair(std::string_view bytes) {
 }
 
 // What both versions of the header say.
-struct Header {
+struct NiftiHeader {
   bool bigEndian = false;
   std::array<std::int64_t, 8> dim{};  // how many there are, then their sizes
   std::array<double, 8> pixdim{};     // a sign, then sizes of a voxel, in units
@@ -71,10 +71,10 @@ constexpr Layout kOne{348, 40, 70, 76, 108, 112, 123, 252, 256, 280};
 constexpr Layout kTwo{540, 16, 12, 104, 168, 176, 500, 344, 352, 400};
 
 template <typename Size, typename Code, typename Real, typename Offset, typename Units>
-Header headerOf(const std::string& path, std::string_view bytes, const Layout& layout) {
+NiftiHeader niftiHeaderOf(const std::string& path, std::string_view bytes, const Layout& layout) {
   if (bytes.size() < layout.bytes)
     throw error("{}: ends early, within its NIfTI header; copy or export it again", path);
-  Header header;
+  NiftiHeader header;
   const auto dimensions = [&](bool big) { return Fields(bytes, big).at<Size>(layout.dim); };
   const auto good = [](Size n) { return n >= 1 && n <= 7; };
   header.bigEndian = !good(dimensions(false));
@@ -103,7 +103,7 @@ Header headerOf(const std::string& path, std::string_view bytes, const Layout& l
   return header;
 }
 
-VoxelType typeOf(const std::string& path, int datatype) {
+VoxelType niftiTypeOf(const std::string& path, int datatype) {
   struct Code {
     int code;
     VoxelType type;
@@ -124,7 +124,7 @@ VoxelType typeOf(const std::string& path, int datatype) {
 double metresPerUnit(int unit) { return unit == 1 ? 1 : unit == 3 ? 1e-6 : 1e-3; }
 
 // The sform if it is set, else the qform, else the sizes alone.
-void place(LabelImage& image, const Header& header) {
+void place(LabelImage& image, const NiftiHeader& header) {
   const double metres = metresPerUnit(header.units);
   if (header.sform > 0) {
     const auto column = [&](std::size_t c) {
@@ -201,10 +201,11 @@ bool startsAsNifti(std::string_view bytes) {
 LabelImage readNiftiFile(const std::string& path, std::string_view bytes,
                          const BesideFiles& beside) {
   const bool two = isTwo(bytes);
-  const Header header =
-      two ? headerOf<std::int64_t, std::int32_t, double, std::int64_t, std::int32_t>(path, bytes,
-                                                                                     kTwo)
-          : headerOf<std::int16_t, std::int16_t, float, float, std::uint8_t>(path, bytes, kOne);
+  const NiftiHeader header =
+      two ? niftiHeaderOf<std::int64_t, std::int32_t, double, std::int64_t, std::int32_t>(
+                path, bytes, kTwo)
+          : niftiHeaderOf<std::int16_t, std::int16_t, float, float, std::uint8_t>(path, bytes,
+                                                                                  kOne);
   LabelImage image;
   image.format = two ? "NIfTI-2" : "NIfTI-1";
   for (std::size_t i = 1; i <= 7; ++i) {
@@ -219,7 +220,7 @@ LabelImage readNiftiFile(const std::string& path, std::string_view bytes,
   checkGrid(path, image);
 
   VoxelNumbers numbers;
-  numbers.type = typeOf(path, header.datatype);
+  numbers.type = niftiTypeOf(path, header.datatype);
   numbers.bigEndian = header.bigEndian;
   if (header.slope != 0 && std::isfinite(header.slope))
     numbers.slope = header.slope, numbers.intercept = header.intercept;

@@ -15,7 +15,7 @@ namespace resect {
 namespace {
 
 // The lines of the header: fields by their names in lower case, and what files add as keys.
-struct Header {
+struct NrrdHeader {
   std::map<std::string, std::string> fields, keys;
   std::size_t end = 0;  // where the voxels begin
 
@@ -25,8 +25,8 @@ struct Header {
   }
 };
 
-Header headerOf(const std::string& path, std::string_view bytes) {
-  Header header;
+NrrdHeader nrrdHeaderOf(const std::string& path, std::string_view bytes) {
+  NrrdHeader header;
   WordReader lines(path, bytes);
   lines.line();  // NRRD0005
   for (;;) {
@@ -45,7 +45,7 @@ Header headerOf(const std::string& path, std::string_view bytes) {
   return header;
 }
 
-VoxelType typeOf(const std::string& path, const std::string& name) {
+VoxelType nrrdTypeOf(const std::string& path, const std::string& name) {
   struct Named {
     std::string_view name;
     VoxelType type;
@@ -109,7 +109,7 @@ std::vector<std::optional<Vec3>> vectorsIn(const std::string& path, const std::s
 }
 
 // Whether an axis of the file is one of space.
-std::vector<bool> spaceAxes(const Header& header, std::size_t axes,
+std::vector<bool> spaceAxes(const NrrdHeader& header, std::size_t axes,
                             const std::vector<std::optional<Vec3>>& directions) {
   std::vector<bool> space(axes, true);
   if (directions.size() == axes) {
@@ -141,7 +141,7 @@ Vec3 signsOf(const std::string& path, const std::string& named) {
   return {letters[0] == 'l' ? 1.0 : -1.0, letters[1] == 'p' ? 1.0 : -1.0, 1.0};
 }
 
-std::string unpacked(const std::string& path, const Header& header, std::string_view data,
+std::string unpacked(const std::string& path, const NrrdHeader& header, std::string_view data,
                      VoxelType type) {
   const std::string encoding = lowerCase(header.field("encoding", "raw"));
   if (encoding == "raw") return std::string(data);
@@ -153,7 +153,7 @@ std::string unpacked(const std::string& path, const Header& header, std::string_
 }
 
 // The part of the file, or of the file beside it, that holds the voxels.
-std::string_view dataOf(const std::string& path, const Header& header, std::string_view bytes,
+std::string_view dataOf(const std::string& path, const NrrdHeader& header, std::string_view bytes,
                         const BesideFiles& beside) {
   const std::string name = header.field("data file", header.field("datafile").c_str());
   std::string_view data = bytes.substr(header.end);
@@ -171,7 +171,7 @@ std::string_view dataOf(const std::string& path, const Header& header, std::stri
 }
 
 // Segments of 3D Slicer that stand in the given layer: their names by value.
-std::map<std::int64_t, std::string> segmentsIn(const Header& header, int layer) {
+std::map<std::int64_t, std::string> segmentsIn(const NrrdHeader& header, int layer) {
   std::map<std::int64_t, std::string> names;
   for (int i = 0; i < kMostLabels; ++i) {
     const auto key = [&](const char* what) {
@@ -191,7 +191,7 @@ bool startsAsNrrd(std::string_view bytes) { return bytes.starts_with("NRRD0"); }
 
 LabelImage readNrrdFile(const std::string& path, std::string_view bytes,
                         const BesideFiles& beside) {
-  const Header header = headerOf(path, bytes);
+  const NrrdHeader header = nrrdHeaderOf(path, bytes);
   const std::vector<std::string> sizes = words(header.field("sizes"));
   const auto directions = vectorsIn(path, header.field("space directions"));
   const std::vector<bool> space = spaceAxes(header, sizes.size(), directions);
@@ -235,7 +235,7 @@ LabelImage readNrrdFile(const std::string& path, std::string_view bytes,
   if (stride == 1) perLayer = image.voxelCount();
 
   VoxelNumbers numbers;
-  numbers.type = typeOf(path, header.field("type"));
+  numbers.type = nrrdTypeOf(path, header.field("type"));
   numbers.bigEndian = lowerCase(header.field("endian")) == "big";
   numbers.stride = stride;
   const std::string data =

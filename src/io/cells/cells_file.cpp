@@ -25,7 +25,7 @@ constexpr std::size_t kTrailer = 7 + 8 + 1;      // "\ncrc32 0123abcd\n"
 constexpr std::size_t kLongestHeader = 1 << 20;  // bytes
 constexpr std::size_t kMostPerCell = 3 * 1 + 6;  // bytes, if each cell is a run of its own
 constexpr int kMostBytes = 2'000'000'000;        // of a block
-constexpr double kFarthest = 1e6;                // m
+constexpr double kFarthestCell = 1e6;            // m
 constexpr int kLongestSide = 1'000'000;          // cells
 constexpr double kLargestScale = 1e6;            // of the skin
 
@@ -59,8 +59,8 @@ std::string quoted(const std::string& text) {
 bool isPlain(const Lattice& lattice) {
   return (lattice.dims.array() >= 1).all() && lattice.dims.maxCoeff() < kLongestSide &&
          lattice.dims.cast<double>().prod() <= double(kMaxCells) && lattice.origin.allFinite() &&
-         lattice.origin.cwiseAbs().maxCoeff() < kFarthest && lattice.spacing.allFinite() &&
-         (lattice.spacing.array() > 0).all() && lattice.spacing.maxCoeff() < kFarthest;
+         lattice.origin.cwiseAbs().maxCoeff() < kFarthestCell && lattice.spacing.allFinite() &&
+         (lattice.spacing.array() > 0).all() && lattice.spacing.maxCoeff() < kFarthestCell;
 }
 
 std::string header(const KeptCells& kept, const std::string (&blocks)[4]) {
@@ -161,7 +161,7 @@ std::string formatCells(const KeptCells& kept) {
   const Discretization& d = kept.cells;
   if (!isPlain(d.lattice))
     throw error("cells cannot be kept: there must be 1 to {} of them within {} km", kMaxCells,
-                kFarthest / 1000);
+                kFarthestCell / 1000);
   const std::string blocks[4] = {
       toRuns(d.inside), d.value.areLevels() ? toRuns(d.value.levels()) : toRuns(d.value.numbers()),
       toRuns(d.label), kept.vessels.segments.empty() ? "" : formatVessels(kept.vessels)};

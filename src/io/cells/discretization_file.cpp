@@ -19,8 +19,8 @@
 namespace resect {
 namespace {
 
-constexpr double kLargestOffset = 0.02;  // of a cell: tolerance for rounded positions
-constexpr double kFarthest = 1e9;        // m
+constexpr double kLargestOffset = 0.02;    // of a cell: tolerance for rounded positions
+constexpr double kFarthestParticle = 1e9;  // m
 
 std::vector<std::string_view> splitWords(std::string_view line) {
   constexpr std::string_view kBlank = " \t\r";
@@ -180,9 +180,9 @@ Discretization parseDiscretization(std::string_view text, const std::string& nam
     if (!(last[a] > first[a]) || !std::isfinite(spacing) || !(spacing > 0))
       throw lines.complaint("the box must have room between {} and {} on each axis", first[a],
                             last[a]);
-    if (!(std::max(std::abs(first[a]), std::abs(last[a])) * unit <= kFarthest))
+    if (!(std::max(std::abs(first[a]), std::abs(last[a])) * unit <= kFarthestParticle))
       throw lines.complaint("the box reaches from {:g} to {:g}, farther than {:g} m; check --unit",
-                            first[a], last[a], kFarthest);
+                            first[a], last[a], kFarthestParticle);
   }
   lines.expect("particle: x: y: z: LevelSet:", 0);
 

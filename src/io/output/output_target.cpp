@@ -64,7 +64,7 @@ void requireWritableFolder(const fs::path& name, const fs::path& file) {
                 std::strerror(errno));
 }
 
-std::string identityOf(const struct stat& file) {
+std::string identityIn(const struct stat& file) {
   return fmt::format("inode {} of device {}", file.st_ino, file.st_dev);
 }
 
@@ -117,7 +117,7 @@ OutputTarget findTarget(const fs::path& name) {
 std::string identityOf(const fs::path& name) {
   struct stat found {};
   if (name == "-" ? ::fstat(STDOUT_FILENO, &found) == 0 : ::stat(name.c_str(), &found) == 0)
-    return isNowhere(found) ? "" : identityOf(found);
+    return isNowhere(found) ? "" : identityIn(found);
   if (name == "-") return "";
   std::error_code ec;
   const fs::path whole = fs::weakly_canonical(fs::absolute(name, ec), ec);

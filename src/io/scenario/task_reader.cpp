@@ -7,7 +7,7 @@
 namespace resect {
 namespace {
 
-constexpr double kFarthest = 10;  // m
+constexpr double kFarthestTask = 10;  // m
 constexpr std::size_t kMostPlaces = 200;
 
 template <typename List>
@@ -39,13 +39,13 @@ TaskPlace readPlace(const TomlTable& t, const OrganSource& organ) {
       t.complain("at", "names the landmark \"" + place.landmark +
                            "\", which the organ lacks; add it to [organ.landmark]");
   } else {
-    place.place = t.place("place", kFarthest);
+    place.place = t.place("place", kFarthestTask);
     const std::string frame = t.text("frame", "organ");
     if (frame != "organ" && frame != "world")
       t.complain("frame", "is \"" + frame + "\"; use \"organ\" or \"world\"");
     place.inWorld = frame == "world";
   }
-  if (t.has("depth")) place.depth = t.number("depth", -kFarthest, kFarthest);
+  if (t.has("depth")) place.depth = t.number("depth", -kFarthestTask, kFarthestTask);
   t.refuseUnknownKeys();
   return place;
 }

@@ -7,11 +7,12 @@
 namespace resect {
 namespace {
 
-constexpr double kReach = 0.0035;       // m: beyond which tissue is left alone, in a fine lattice
-constexpr double kReachCells = 0.6;     // of the spacing, in a coarse one
-constexpr double kSpares = 0.5e-3;      // m: radius of vessels that stay
-constexpr double kSucksWithin = 0.005;  // m
-constexpr double kRate = 8e-6;          // m^3/s: of blood
+constexpr double kAspiratorReach =
+    0.0035;  // m: beyond which tissue is left alone, in a fine lattice
+constexpr double kAspiratorReachCells = 0.6;  // of the spacing, in a coarse one
+constexpr double kSpares = 0.5e-3;            // m: radius of vessels that stay
+constexpr double kSucksWithin = 0.005;        // m
+constexpr double kRate = 8e-6;                // m^3/s: of blood
 
 }  // namespace
 
@@ -20,7 +21,7 @@ void AspiratorPart::act(const Touch& touch, std::vector<TissueEdit>& edits) cons
              from = touch.way.from.pose * touch.model.tip;
   if (touch.organNumber == 0) edits.push_back(touch.edit(Suction{tip, kSucksWithin, kRate}));
   const Lattice& lattice = touch.organ.rest.lattice;
-  const double reach = std::max(kReach, kReachCells * lattice.spacing.x());
+  const double reach = std::max(kAspiratorReach, kAspiratorReachCells * lattice.spacing.x());
   Aabb box;
   box.grow(tip);
   box.grow(from);

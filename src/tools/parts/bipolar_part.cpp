@@ -7,10 +7,10 @@
 namespace resect {
 namespace {
 
-constexpr double kGrasps = 0.9;   // squeeze from which current flows
-constexpr double kReach = 0.005;  // m: the grasped tissue, and a little
-constexpr double kPower = 60;     // W
-constexpr double kTakes = 0.006;  // m: a bleeding end so near the tips is taken between them
+constexpr double kGrasps = 0.9;          // squeeze from which current flows
+constexpr double kBipolarReach = 0.005;  // m: the grasped tissue, and a little
+constexpr double kPower = 60;            // W
+constexpr double kTakes = 0.006;         // m: a bleeding end so near the tips is taken between them
 
 }  // namespace
 
@@ -21,7 +21,7 @@ void BipolarPart::act(const Touch& touch, std::vector<TissueEdit>& edits) const 
   if (const auto end = bleedingEndNear(touch.organ, touch.tissue, tip, kTakes,
                                        [](double radius) { return radius <= kWidestSealed; }))
     place = end->rest;
-  if (place) edits.push_back(touch.edit(Heat{*place, kReach, kPower}));
+  if (place) edits.push_back(touch.edit(Heat{*place, kBipolarReach, kPower}));
 }
 
 }  // namespace resect

@@ -5,9 +5,9 @@
 namespace resect {
 namespace {
 
-constexpr double kCloses = 0.9;   // squeeze from which the tips hold
-constexpr double kOpens = 0.7;    // squeeze below which they no longer do
-constexpr double kReach = 0.004;  // m: what is so near to the tips is between them
+constexpr double kCloses = 0.9;        // squeeze from which the tips hold
+constexpr double kOpens = 0.7;         // squeeze below which they no longer do
+constexpr double kGraspReach = 0.004;  // m: what is so near to the tips is between them
 
 }  // namespace
 
@@ -19,7 +19,7 @@ void GraspPart::act(const Touch& touch, std::vector<TissueEdit>& edits) const {
 
   const Lattice& lattice = touch.organ.rest.lattice;
   // The outermost centres of cells lie about half a cell below the surface that the tips are on.
-  const double reach = kReach + 0.6 * lattice.spacing.x();
+  const double reach = kGraspReach + 0.6 * lattice.spacing.x();
   const Vec3 tip = to.pose * touch.model.tip;
   for (const std::int64_t c : touch.tissue.cellsIn(Aabb{tip, tip}.padded(reach))) {
     if (!touch.organ.alive[std::size_t(c)]) continue;

@@ -9,13 +9,13 @@ namespace {
 constexpr double kShut = 0.95, kOpen = 0.5;  // squeeze
 // m: round the portal vein before it branches. On a table the hilum lies under the liver: the clamp
 // closes a tape that was laid round the hilum before, and whose ends come out beside the liver.
-constexpr double kReach = 0.12;
+constexpr double kClampReach = 0.12;
 
 // Distance of a place in the world from the trunk of the portal vein, m.
 double fromTrunk(const Touch& touch, const Vec3& place) {
   const Anatomy& anatomy = touch.organ.map->anatomy;
   const VesselRange portal = anatomy.range(VesselKind::PortalVein);
-  if (portal.count == 0) return kReach + 1;
+  if (portal.count == 0) return kClampReach + 1;
   const VesselSegment& trunk = anatomy.segments[std::size_t(portal.first)];
   // It moves with the tissue at its end.
   const Vec3 end = presentPlace(touch.organ, touch.tissue, trunk.end);
@@ -31,7 +31,7 @@ void InflowClampPart::act(const Touch& touch, std::vector<TissueEdit>& edits) co
   const bool shuts = before < kShut && now >= kShut, opens = before > kOpen && now <= kOpen;
   if (shuts == touch.organ.vessels.inflowClamped && !opens) return;
   if (!shuts && !(opens && touch.organ.vessels.inflowClamped)) return;
-  if (fromTrunk(touch, touch.way.to.pose * touch.model.tip) <= kReach)
+  if (fromTrunk(touch, touch.way.to.pose * touch.model.tip) <= kClampReach)
     edits.push_back(touch.edit(ClampInflow{shuts}));
 }
 

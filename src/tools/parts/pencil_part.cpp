@@ -7,10 +7,10 @@
 namespace resect {
 namespace {
 
-constexpr double kPower = 60;        // W, that become heat in the tissue (estimate)
-constexpr double kReach = 0.0025;    // m
-constexpr double kBluntness = 0.05;  // vapour opens the tissue before the electrode (estimate)
-constexpr int kPlaces = 4;           // along the edge
+constexpr double kPower = 60;           // W, that become heat in the tissue (estimate)
+constexpr double kSparkReach = 0.0025;  // m
+constexpr double kBluntness = 0.05;     // vapour opens the tissue before the electrode (estimate)
+constexpr int kPlaces = 4;              // along the edge
 // With the pedal pressed: sparks from the tip that coagulate a surface and cut nothing (estimates).
 constexpr double kSprayPower = 40;     // W
 constexpr double kSprayReach = 0.004;  // m
@@ -36,7 +36,7 @@ void PencilPart::act(const Touch& touch, std::vector<TissueEdit>& edits) const {
       places.push_back(*place);
   }
   for (const Vec3& place : places)
-    edits.push_back(touch.edit(Heat{place, kReach, kPower / double(places.size())}));
+    edits.push_back(touch.edit(Heat{place, kSparkReach, kPower / double(places.size())}));
 }
 
 void PencilPart::addEdges(const ToolModel& tool, const ToolWay& way,

@@ -6,7 +6,7 @@
 namespace resect {
 namespace {
 
-Vec3 at(const std::array<FloatArray, 3>& field, std::int32_t i) {
+Vec3 vectorAt(const std::array<FloatArray, 3>& field, std::int32_t i) {
   return {field[0][i], field[1][i], field[2][i]};
 }
 
@@ -15,7 +15,7 @@ Vec3 at(const std::array<FloatArray, 3>& field, std::int32_t i) {
 void CutFaces::keepApart(const ElasticState& s, std::int32_t cell, int direction) {
   const std::int32_t other = cell + s.box.step[direction];
   const Vec3 rest = s.spacing * offsetOf(direction).cast<double>();
-  const double now = (rest + at(s.u, other) - at(s.u, cell)).norm();
+  const double now = (rest + vectorAt(s.u, other) - vectorAt(s.u, cell)).norm();
   cut_.push_back({cell, other, float(std::min(now, 0.9 * rest.norm())), rest.cast<float>()});
 }
 

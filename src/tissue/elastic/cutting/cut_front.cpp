@@ -12,7 +12,7 @@ namespace {
 
 // Of a tie: rho s^2 l times this over dt^2 and over dt.
 constexpr double kStiffness = 1, kDamping = 0.5;
-constexpr double kReach = 1.5;  // spacings: how far from cells an edge is looked for
+constexpr double kEdgeReach = 1.5;  // spacings: how far from cells an edge is looked for
 constexpr double kHalfStep = 0.525, kOutOfTissue = 2;  // steps
 
 // Corners of a polyline at equal distances.
@@ -53,7 +53,7 @@ void CutFronts::findCandidates(const RestTissue& rest, const CuttingEdge& edge) 
   candidates_.clear();
   Aabb box;
   for (const Vec3& p : edge.points) box.grow(edge.from * p), box.grow(edge.to * p);
-  box = box.padded(kReach * s.spacing);
+  box = box.padded(kEdgeReach * s.spacing);
   for (const TissueChunk& chunk : s.chunks) {
     if (!meets(chunkBounds(s, chunk, lattice.origin), box)) continue;
     for (std::int32_t i = chunk.start + chunk.first; i <= chunk.start + chunk.last; ++i) {
@@ -105,7 +105,8 @@ void CutFronts::list(const RestTissue& rest, double duration, double dt,
         const bool there =
             sample.known && (sample.tied || sample.cutting || rest.inside(sample.place));
         if (!there)
-          locate(rest, from, kReach * s.spacing + (edge.to * at.point - from).norm(), sample, now);
+          locate(rest, from, kEdgeReach * s.spacing + (edge.to * at.point - from).norm(), sample,
+                 now);
         if (sample.known) rest.findCells(sample.place, now.cells);
         if (now.cells.nearest < 0) sample.known = sample.tied = false;
         sample.cutting = sample.cutting && there && sample.known;
