@@ -38,55 +38,56 @@ def no_tools():
 
 def all_scenarios():
     kinds = {
-        "cut": (thesis.cut, "Cut across the dome", "The scalpel draws a groove over the dome, from the far side to the surgeon"),
-        "perforate": (thesis.perforate, "Three holes through the liver", "The baton is driven from the dome to the table, three times"),
-        "deform": (thesis.deform, "Hollow out the dome", "The hook rakes the dome away, pass by pass"),
+        "cut": (thesis.cut, "Cut across the dome", "Draw a groove over the dome with the scalpel, from the far side towards you"),
+        "perforate": (thesis.perforate, "Three holes through the liver", "Drive the baton from the dome to the table, three times"),
+        "deform": (thesis.deform, "Hollow out the dome", "Rake the dome away with the hook, pass by pass"),
     }
     for kind, (make, title, description) in kinds.items():
         for size, (spacing_mm, told) in SIZES.items():
             name = kind + ("-" + size if size else "")
             yield name, scenario(title + told, description, spacing_mm, make(spacing_mm / 1000), "surgeon")
     yield "resect-segment", scenario(
-        "Left lateral part of the liver taken off", "A scalpel path that parts the liver completely, in three strokes",
+        "Left lateral part of the liver taken off", "Divide the liver completely with the scalpel, in three strokes",
         3.0, thesis.resect_segment(0.003), "surgeon", tail=0.8)
-    yield "press", elastic("The baton presses on a soft liver", "Elastic tissue on the table, pressed twice", 8.0,
+    yield "press", elastic("The baton presses on a soft liver", "Press the liver with the baton, twice", 8.0,
                            soft.press(), ORGAN_LIGAMENTS, x=ASIDE, setting="table", bleeds=False)
-    yield "lift", elastic("The hook lifts the margin of the liver", "It catches, pulls, holds, and slips", 8.0, soft.lift(),
+    yield "lift", elastic("The hook lifts the margin of the liver", "Catch the lobe with the hook, pull and hold it; pulled too far, it slips", 8.0, soft.lift(),
                           ligaments(ASIDE), x=ASIDE,
                           close_up=LEFT_LOBE)
-    yield "grasp", elastic("Forceps lift the left lobe", "They seize it near its margin, lift it, lay it down and let go",
+    yield "grasp", elastic("Forceps lift the left lobe", "Seize the liver near its margin, lift it, lay it down and let go",
                            8.0, soft.grasp(), ligaments(ASIDE), x=ASIDE,
                           close_up=LEFT_LOBE)
-    yield "incise", elastic("An incision over the dome", "The scalpel is drawn over the dome, towards the surgeon; the wound bleeds",
+    yield "incise", elastic("An incision over the dome", "Draw the scalpel over the dome, towards you; the wound bleeds",
                             8.0, soft.incise(), ORGAN_LIGAMENTS, x=ASIDE,
                             close_up="[[-0.13, 0.05, -0.05], [-0.05, 0.1, 0.06]]")
     yield "incise-under-traction", elastic(
-        "An incision under traction", "The hook pulls, the scalpel cuts across the pull, and the wound opens", 6.0,
+        "An incision under traction", "Pull with the hook and cut across the pull with the scalpel; the wound opens", 6.0,
         soft.incise_under_traction(), ligaments(-0.035),
         organ="position = [-0.035, 0, 0]  # so that the lobe does not come to lie on the tray\n",
         close_up="[[-0.015, 0, -0.03], [0.095, 0.07, 0.08]]")
     bleeds = f"position = [{ASIDE:g}, 0, 0]  # clear of the tray\n"
     yield "bleed", elastic(
-        "A branch of the portal vein bleeds", "The scalpel cuts a branch of 3 mm; blood wells up, runs and pools", 8.0,
+        "A branch of the portal vein bleeds", "Cut a branch of 3 mm with the scalpel; blood wells up, runs and pools", 8.0,
         bleeding.bleed(), ligaments(ASIDE), organ=bleeds, duration=12, close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
     yield "stop-bleeding", elastic(
-        "Bleeding is brought down", "Suction clears the wound, a clip closes the vessel, bipolar forceps seal the rest", 8.0,
+        "Bleeding is brought down", "Clear the wound with suction, close the vessel with a clip, seal the rest with bipolar forceps", 8.0,
         bleeding.stop_bleeding(), ligaments(ASIDE), organ=bleeds, close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
     yield "transect", elastic(
-        "Part of a left lateral sectionectomy", "The inflow is clamped, the aspirator bares the vessels, they are "
-        "clipped and divided, forceps coagulate what bleeds", 8.0, bleeding.transect(), ligaments(ASIDE), organ=bleeds,
+        "Part of a left lateral sectionectomy", "Clamp the inflow, bare the vessels with the aspirator, clip and divide "
+        "them, coagulate what bleeds", 8.0, bleeding.transect(), ligaments(ASIDE), organ=bleeds,
         close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
     yield "pringle", elastic(
-        "The inflow is clamped", "A cut bleeds; a clamp on the portal pedicle stops what flows in, until it is opened", 8.0,
+        "The inflow is clamped",
+        "A cut bleeds; clamp the portal pedicle, which stops what flows in until the clamp is opened", 8.0,
         bleeding.pringle(), ligaments(ASIDE), organ=bleeds, close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
     yield "cautery", elastic(
-        "A raw surface is coagulated", "Where the aspirator took tissue away small arteries bleed; the pencil seals them", 8.0,
+        "A raw surface is coagulated", "Small arteries bleed where the aspirator took tissue away; seal them with the pencil", 8.0,
         bleeding.cautery(), ligaments(ASIDE), organ=bleeds, close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
-    yield "snip", elastic("Scissors cut into the left lobe", "Snip by snip from the front; no tissue is lost, but blood", 8.0,
+    yield "snip", elastic("Scissors cut into the left lobe", "Cut with the scissors, snip by snip, from the front; no tissue is lost, but blood", 8.0,
                           soft.snip(), ligaments(ASIDE), x=ASIDE,
                           close_up=LEFT_LOBE)
     yield "resect-segment-elastic", elastic(
-        "A piece of a soft liver taken off", "The scalpel parts the left lateral part; the hook lifts it away", 8.0,
+        "A piece of a soft liver taken off", "Cut off the left lateral part with the scalpel, and lift it away with the hook", 8.0,
         soft.resect_segment_elastic(), ligaments(ASIDE), "cut_energy = 17  # a new blade\n", x=ASIDE,
                           close_up=LEFT_LOBE)
     yield "liver-and-gallbladder", soft.liver_and_gallbladder()

@@ -143,7 +143,7 @@ def liver_and_gallbladder():
     """Two organs: the liver lies on its dome, held below; the gallbladder is on its bed above."""
     turn = "{ axis = [0.1954, 0.1288, -0.9722], degrees = 180 }"
     text = scenario("The gallbladder is lifted, and the liver follows",
-                    "The hook holds the gallbladder up by its fundus, lays it down and lets go", 6.0, lift_gallbladder(),
+                    "Hold the gallbladder up by its fundus with the hook, lay it down and let go", 6.0, lift_gallbladder(),
                     "surgeon", thesis=False)
     organs = f"""[[organ]]
 name = "liver"

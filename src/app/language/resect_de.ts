@@ -8,24 +8,24 @@
         <translation>Ein Ast der Pfortader blutet</translation>
     </message>
     <message>
-        <source>The scalpel cuts a branch of 3 mm; blood wells up, runs and pools</source>
-        <translation>Das Skalpell durchtrennt einen Ast von 3 mm; Blut quillt hervor, rinnt und sammelt sich</translation>
+        <source>Cut a branch of 3 mm with the scalpel; blood wells up, runs and pools</source>
+        <translation>Einen Ast von 3 mm mit dem Skalpell durchtrennen; Blut quillt hervor, rinnt und sammelt sich</translation>
     </message>
     <message>
         <source>A raw surface is coagulated</source>
         <translation>Eine Wundfläche wird koaguliert</translation>
     </message>
     <message>
-        <source>Where the aspirator took tissue away small arteries bleed; the pencil seals them</source>
-        <translation>Wo der Aspirator Gewebe entfernt hat, bluten kleine Arterien; der HF-Handgriff versiegelt sie</translation>
+        <source>Small arteries bleed where the aspirator took tissue away; seal them with the pencil</source>
+        <translation>Wo der Aspirator Gewebe entfernt hat, bluten kleine Arterien: mit dem HF-Handgriff versiegeln</translation>
     </message>
     <message>
         <source>Cut across the dome (120 particles, as in the thesis)</source>
         <translation>Schnitt über die Kuppel (120 Partikel, wie in der Diplomarbeit)</translation>
     </message>
     <message>
-        <source>The scalpel draws a groove over the dome, from the far side to the surgeon</source>
-        <translation>Das Skalpell zieht eine Furche über die Kuppel, vom fernen Rand zum Chirurgen</translation>
+        <source>Draw a groove over the dome with the scalpel, from the far side towards you</source>
+        <translation>Mit dem Skalpell eine Furche über die Kuppel ziehen, vom fernen Rand zu sich hin</translation>
     </message>
     <message>
         <source>Cut across the dome (950 particles, as in the thesis)</source>
@@ -40,8 +40,8 @@
         <translation>Die Kuppel wird ausgehöhlt (120 Partikel, wie in der Diplomarbeit)</translation>
     </message>
     <message>
-        <source>The hook rakes the dome away, pass by pass</source>
-        <translation>Der Haken trägt die Kuppel ab, Zug um Zug</translation>
+        <source>Rake the dome away with the hook, pass by pass</source>
+        <translation>Mit dem Haken die Kuppel abtragen, Zug um Zug</translation>
     </message>
     <message>
         <source>Hollow out the dome (950 particles, as in the thesis)</source>
@@ -64,8 +64,8 @@
         <translation>Die Pinzette hebt den linken Lappen</translation>
     </message>
     <message>
-        <source>They seize it near its margin, lift it, lay it down and let go</source>
-        <translation>Sie fasst ihn nahe am Rand, hebt ihn, legt ihn ab und lässt los</translation>
+        <source>Seize the liver near its margin, lift it, lay it down and let go</source>
+        <translation>Die Leber nahe am Rand fassen, heben, ablegen und loslassen</translation>
     </message>
     <message>
         <source>The liver hangs from its dome</source>
@@ -80,40 +80,40 @@
         <translation>Ein Schnitt unter Zug</translation>
     </message>
     <message>
-        <source>The hook pulls, the scalpel cuts across the pull, and the wound opens</source>
-        <translation>Der Haken zieht, das Skalpell schneidet quer zum Zug, und die Wunde klafft</translation>
+        <source>Pull with the hook and cut across the pull with the scalpel; the wound opens</source>
+        <translation>Mit dem Haken ziehen und mit dem Skalpell quer zum Zug schneiden; die Wunde klafft</translation>
     </message>
     <message>
         <source>An incision over the dome</source>
         <translation>Ein Schnitt über die Kuppel</translation>
     </message>
     <message>
-        <source>The scalpel is drawn over the dome, towards the surgeon; the wound bleeds</source>
-        <translation>Das Skalpell wird über die Kuppel gezogen, zum Chirurgen hin; die Wunde blutet</translation>
+        <source>Draw the scalpel over the dome, towards you; the wound bleeds</source>
+        <translation>Das Skalpell über die Kuppel ziehen, zu sich hin; die Wunde blutet</translation>
     </message>
     <message>
         <source>The hook lifts the margin of the liver</source>
         <translation>Der Haken hebt den Leberrand</translation>
     </message>
     <message>
-        <source>It catches, pulls, holds, and slips</source>
-        <translation>Er fasst, zieht, hält und gleitet ab</translation>
+        <source>Catch the lobe with the hook, pull and hold it; pulled too far, it slips</source>
+        <translation>Den Lappen mit dem Haken fassen, ziehen und halten; zu weit gezogen, gleitet er ab</translation>
     </message>
     <message>
         <source>The gallbladder is lifted, and the liver follows</source>
         <translation>Die Gallenblase wird gehoben, und die Leber folgt</translation>
     </message>
     <message>
-        <source>The hook holds the gallbladder up by its fundus, lays it down and lets go</source>
-        <translation>Der Haken hält die Gallenblase am Fundus hoch, legt sie ab und lässt los</translation>
+        <source>Hold the gallbladder up by its fundus with the hook, lay it down and let go</source>
+        <translation>Die Gallenblase mit dem Haken am Fundus hochhalten, ablegen und loslassen</translation>
     </message>
     <message>
         <source>Three holes through the liver (120 particles, as in the thesis)</source>
         <translation>Drei Löcher durch die Leber (120 Partikel, wie in der Diplomarbeit)</translation>
     </message>
     <message>
-        <source>The baton is driven from the dome to the table, three times</source>
-        <translation>Der Stab wird von der Kuppel bis zum Tisch gestoßen, dreimal</translation>
+        <source>Drive the baton from the dome to the table, three times</source>
+        <translation>Den Stab von der Kuppel bis zum Tisch stoßen, dreimal</translation>
     </message>
     <message>
         <source>Three holes through the liver (950 particles, as in the thesis)</source>
@@ -128,56 +128,56 @@
         <translation>Der Stab drückt auf eine weiche Leber</translation>
     </message>
     <message>
-        <source>Elastic tissue on the table, pressed twice</source>
-        <translation>Elastisches Gewebe auf dem Tisch, zweimal gedrückt</translation>
+        <source>Press the liver with the baton, twice</source>
+        <translation>Die Leber mit dem Stab drücken, zweimal</translation>
     </message>
     <message>
         <source>The inflow is clamped</source>
         <translation>Der Zufluss wird abgeklemmt</translation>
     </message>
     <message>
-        <source>A cut bleeds; a clamp on the portal pedicle stops what flows in, until it is opened</source>
-        <translation>Ein Schnitt blutet; eine Klemme am Pfortaderstiel hält den Zufluss auf, bis sie geöffnet wird</translation>
+        <source>A cut bleeds; clamp the portal pedicle, which stops what flows in until the clamp is opened</source>
+        <translation>Ein Schnitt blutet: den Pfortaderstiel abklemmen; das hält den Zufluss auf, bis die Klemme geöffnet wird</translation>
     </message>
     <message>
         <source>A piece of a soft liver taken off</source>
         <translation>Ein Stück einer weichen Leber wird abgetrennt</translation>
     </message>
     <message>
-        <source>The scalpel parts the left lateral part; the hook lifts it away</source>
-        <translation>Das Skalpell trennt den linken lateralen Teil ab; der Haken hebt ihn weg</translation>
+        <source>Cut off the left lateral part with the scalpel, and lift it away with the hook</source>
+        <translation>Den linken lateralen Teil mit dem Skalpell abtrennen und mit dem Haken wegheben</translation>
     </message>
     <message>
         <source>Left lateral part of the liver taken off</source>
         <translation>Der linke laterale Teil der Leber wird abgetrennt</translation>
     </message>
     <message>
-        <source>A scalpel path that parts the liver completely, in three strokes</source>
-        <translation>Ein Weg des Skalpells, der die Leber in drei Zügen ganz durchtrennt</translation>
+        <source>Divide the liver completely with the scalpel, in three strokes</source>
+        <translation>Die Leber mit dem Skalpell in drei Zügen ganz durchtrennen</translation>
     </message>
     <message>
         <source>Scissors cut into the left lobe</source>
         <translation>Die Schere schneidet in den linken Lappen</translation>
     </message>
     <message>
-        <source>Snip by snip from the front; no tissue is lost, but blood</source>
-        <translation>Schnitt um Schnitt von vorn; kein Gewebe geht verloren, nur Blut</translation>
+        <source>Cut with the scissors, snip by snip, from the front; no tissue is lost, but blood</source>
+        <translation>Mit der Schere von vorn schneiden, Schnitt um Schnitt; kein Gewebe geht verloren, nur Blut</translation>
     </message>
     <message>
         <source>Bleeding is brought down</source>
         <translation>Eine Blutung wird gestillt</translation>
     </message>
     <message>
-        <source>Suction clears the wound, a clip closes the vessel, bipolar forceps seal the rest</source>
-        <translation>Der Sauger räumt die Wunde frei, ein Clip verschließt das Gefäß, die bipolare Pinzette versiegelt den Rest</translation>
+        <source>Clear the wound with suction, close the vessel with a clip, seal the rest with bipolar forceps</source>
+        <translation>Die Wunde mit dem Sauger freiräumen, das Gefäß mit einem Clip verschließen, den Rest mit der bipolaren Pinzette versiegeln</translation>
     </message>
     <message>
         <source>Part of a left lateral sectionectomy</source>
         <translation>Teil einer linkslateralen Sektionektomie</translation>
     </message>
     <message>
-        <source>The inflow is clamped, the aspirator bares the vessels, they are clipped and divided, forceps coagulate what bleeds</source>
-        <translation>Der Zufluss wird abgeklemmt, der Aspirator legt die Gefäße frei, sie werden mit Clips verschlossen und durchtrennt, die Pinzette koaguliert, was blutet</translation>
+        <source>Clamp the inflow, bare the vessels with the aspirator, clip and divide them, coagulate what bleeds</source>
+        <translation>Den Zufluss abklemmen, mit dem Aspirator die Gefäße freilegen, sie mit Clips verschließen und durchtrennen, koagulieren, was blutet</translation>
     </message>
     <message>
         <source>Clip and divide</source>
@@ -3402,8 +3402,8 @@
         <translation>Schwere</translation>
     </message>
     <message>
-        <source>Grade of the bleeding (VIBe): 0 none to 4 life-threatening</source>
-        <translation>Grad der Blutung (VIBe): 0 keine bis 4 lebensbedrohlich</translation>
+        <source>Grade of the present bleeding on the VIBe scale, by its rate</source>
+        <translation>Grad der gegenwärtigen Blutung auf der VIBe-Skala, nach ihrer Rate</translation>
     </message>
     <message>
         <source>Removed</source>
@@ -3450,8 +3450,28 @@
         <translation>%1 ml/min</translation>
     </message>
     <message>
-        <source>%1 of 4</source>
-        <translation>%1 von 4</translation>
+        <source>%1 (%2 of 4)</source>
+        <translation>%1 (%2 von 4)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>mild</source>
+        <translation>leicht</translation>
+    </message>
+    <message>
+        <source>moderate</source>
+        <translation>mäßig</translation>
+    </message>
+    <message>
+        <source>severe</source>
+        <translation>stark</translation>
+    </message>
+    <message>
+        <source>life-threatening</source>
+        <translation>lebensbedrohlich</translation>
     </message>
     <message>
         <source>%1 piece, %2</source>

@@ -18,6 +18,15 @@ constexpr int kRate = 44100;               // samples per second
 constexpr double kBuffered = 0.08;         // s of sound that wait to be played
 constexpr const char* kSetting = "sound";  // whether sound is on
 
+// Null without one. Without a sound server Qt writes of its own calls on the console; the menu tells it in our words.
+QAudioDevice soundDevice() {
+  const QtMessageHandler told =
+      qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
+  const QAudioDevice device = QMediaDevices::defaultAudioOutput();
+  qInstallMessageHandler(told);
+  return device;
+}
+
 }  // namespace
 
 bool Speaker::setOn(bool on) {
@@ -27,7 +36,7 @@ bool Speaker::setOn(bool on) {
     close();
     return false;
   }
-  const QAudioDevice device = QMediaDevices::defaultAudioOutput();
+  const QAudioDevice device = soundDevice();
   QAudioFormat format;
   format.setSampleRate(kRate);
   format.setChannelCount(1);

@@ -26,6 +26,17 @@ QString narrowestMargin(const Ledger& ledger) {
   return QString("%1 mm, %2").arg(*nearest->margin * 1e3, 0, 'f', 1).arg(translated(nearest->name));
 }
 
+// The VIBe grade in words: its number says nothing to somebody who does not know the scale.
+QString gradeText(double bleedingRate) {
+  const int grade = bleedingGrade(bleedingRate);
+  const QString name = grade == 0   ? Words::tr("none")
+                       : grade == 1 ? Words::tr("mild")
+                       : grade == 2 ? Words::tr("moderate")
+                       : grade == 3 ? Words::tr("severe")
+                                    : Words::tr("life-threatening");
+  return grade == 0 ? name : Words::tr("%1 (%2 of 4)").arg(name).arg(grade);
+}
+
 }  // namespace
 
 OperationPanel::OperationPanel(QWidget* parent)
@@ -46,7 +57,7 @@ OperationPanel::OperationPanel(QWidget* parent)
   blood_ = addRow(Words::tr("Blood lost"), Words::tr("All blood that has left the vessels"));
   bleeding_ = addRow(Words::tr("Bleeding"), Words::tr("Blood that leaves the vessels at present"));
   grade_ = addRow(Words::tr("Severity"),
-                  Words::tr("Grade of the bleeding (VIBe): 0 none to 4 life-threatening"));
+                  Words::tr("Grade of the present bleeding on the VIBe scale, by its rate"));
   removed_ = addRow(Words::tr("Removed"), Words::tr("Tissue taken out"));
   pieces_ =
       addRow(Words::tr("Cut off"), Words::tr("Pieces that hang together with the organ no more"));
@@ -91,8 +102,7 @@ void OperationPanel::follow(const LiveState& state, int held) {
   set(blood_, state.bleeds ? millilitres(state.bled) : QString());
   set(bleeding_,
       state.bleeds ? Words::tr("%1 ml/min").arg(state.bleedingRate * 60e6, 0, 'f', 0) : QString());
-  set(grade_,
-      state.bleeds ? Words::tr("%1 of 4").arg(bleedingGrade(state.bleedingRate)) : QString());
+  set(grade_, state.bleeds ? gradeText(state.bleedingRate) : QString());
   set(removed_, millilitres(state.removedVolume));
   const std::int64_t pieces = state.ledger ? state.ledger->pieces() : 0;
   set(pieces_, pieces > 0 ? (pieces == 1 ? Words::tr("%1 piece, %2") : Words::tr("%1 pieces, %2"))
