@@ -20,7 +20,7 @@ ELASTIC = {
     "incise": "4cac739346fac85c",
     "incise-under-traction": "cdb76c51ddc35508",
     "snip": "b46658080ea04a6b",
-    "resect-segment-elastic": "52e5d5a1ce20436f",
+    "resect-segment-elastic": "f24b6f29b7184325",
     "liver-and-gallbladder": "96430a288f200082",
     "hang": "a5021f4dc872f70d",
     "drop": "3e904f6d7168620c",

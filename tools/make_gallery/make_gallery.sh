@@ -72,7 +72,7 @@ shown transect 465
 shown pringle 110
 shown cautery 205
 shown snip 70
-shown resect-segment-elastic 124
+shown resect-segment-elastic 134
 shown liver-and-gallbladder 34
 shown hang 12
 shown drop 20
@@ -81,4 +81,4 @@ strip incise-under-traction 960x540+0+0 24 42 48 56 64 last
 montage "$(picture bleed 26)" "$(picture bleed 41)" "$(picture bleed 56)" "$(picture stop-bleeding 56)" \
   "$(picture stop-bleeding 81)" "$(picture stop-bleeding 146)" -tile 3x2 -geometry 450x+0+0 "$work/blood.png"
 convert "$work/blood.png" -colors 220 "PNG8:$images/stop_bleeding.png"
-strip resect-segment-elastic 960x540+0+0 26 38 62 116 124 last
+strip resect-segment-elastic 960x540+0+0 14 41 62 98 116 134

@@ -87,9 +87,10 @@ def all_scenarios():
                           soft.snip(), ligaments(ASIDE), x=ASIDE,
                           close_up=LEFT_LOBE)
     yield "resect-segment-elastic", elastic(
-        "A piece of a soft liver taken off", "Cut off the left lateral part with the scalpel, and lift it away with the hook", 8.0,
+        "A piece of a soft liver taken off",
+        "Draw the left lobe taut with the hook, cut it off with the scalpel, and lift the piece away", 8.0,
         soft.resect_segment_elastic(), ligaments(ASIDE), "cut_energy = 17  # a new blade\n", x=ASIDE,
-                          close_up=LEFT_LOBE)
+        close_up=LEFT_LOBE, tail=-0.05)  # ends while the hook holds the piece
     yield "liver-and-gallbladder", soft.liver_and_gallbladder()
     yield "hang", elastic("The liver hangs from its dome", "Pinned at the top, it sags and swings under its weight", 8.0,
                           no_tools(), PINNED_TOP, 'drag = 1\n', duration=3, organ="position = [0, 0.12, 0]\n",

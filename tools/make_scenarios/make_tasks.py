@@ -14,10 +14,11 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from bleeding import VESSEL, suck_at_vessel  # noqa: E402
+from parting import cut_off_left_lateral, cut_under_traction  # noqa: E402
 from paths import FRAME_RATE, Path3  # noqa: E402
 from scenario_text import ASIDE, INSTRUMENTS, elastic, ligaments  # noqa: E402
 from reasons import WHY_CLIP, WHY_CONTROL, WHY_LATERAL, WHY_TOUCH, WHY_TWO_HANDS, WHY_WEDGE  # noqa: E402
-from soft import cut_under_traction, incise_under_traction, resect_segment_elastic  # noqa: E402
+from soft import incise_under_traction  # noqa: E402
 
 OPERATORS = ("good", "hurried", "clumsy", "reckless")
 
@@ -305,7 +306,7 @@ PLANE_X = 0.055
 def left_lateral(operator):
     """The scalpel parts the left lateral section along a plane; the hook lifts it away."""
     good, hurried, clumsy, reckless = (operator == one for one in OPERATORS)
-    tools = {name: path for name, path in resect_segment_elastic() if name in ("scalpel", "hook", "baton")}
+    tools = {name: path for name, path in cut_off_left_lateral() if name in ("scalpel", "hook", "baton")}
     if hurried:  # there and back once, and away
         scalpel = Path3(handle=(0, 1, 0.05), edge=(0, -0.05, 1), speed=0.25)
         scalpel.wait(0.9)

@@ -33,14 +33,14 @@ stiffness = 300
 
 
 def elastic(title, description, spacing_mm, tools, extra="", tissue="", duration=None, organ="", close_up=None, x=0.0,
-            setting="field", bleeds=True):
-    """A scenario whose tissue moves; x: organ and instruments stand so far to the side, m."""
+            setting="field", bleeds=True, tail=0.4):
+    """A scenario whose tissue moves; x: organ and instruments stand so far to the side, m; tail: s after the last key."""
     if x:
         for _, path in tools:
             if path and not path.way:
                 path.keys = [(time, (tip[0] + x, *tip[1:]), *rest) for time, tip, *rest in path.keys]
         organ = f"position = [{x:g}, 0, 0]  # clear of the tray\n" + organ
-    text = scenario(title, description, spacing_mm, tools, "surgeon", duration=duration, thesis=False)
+    text = scenario(title, description, spacing_mm, tools, "surgeon", tail=tail, duration=duration, thesis=False)
     if bleeds:
         organ += 'vessels = "built-in"\n'
     if close_up:

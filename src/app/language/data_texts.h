@@ -38,7 +38,7 @@
     QT_TRANSLATE_NOOP("data", "The inflow is clamped"),
     QT_TRANSLATE_NOOP("data", "A cut bleeds; clamp the portal pedicle, which stops what flows in until the clamp is opened"),
     QT_TRANSLATE_NOOP("data", "A piece of a soft liver taken off"),
-    QT_TRANSLATE_NOOP("data", "Cut off the left lateral part with the scalpel, and lift it away with the hook"),
+    QT_TRANSLATE_NOOP("data", "Draw the left lobe taut with the hook, cut it off with the scalpel, and lift the piece away"),
     QT_TRANSLATE_NOOP("data", "Left lateral part of the liver taken off"),
     QT_TRANSLATE_NOOP("data", "Divide the liver completely with the scalpel, in three strokes"),
     QT_TRANSLATE_NOOP("data", "Scissors cut into the left lobe"),

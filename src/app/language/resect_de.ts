@@ -144,8 +144,8 @@
         <translation>Ein Stück einer weichen Leber wird abgetrennt</translation>
     </message>
     <message>
-        <source>Cut off the left lateral part with the scalpel, and lift it away with the hook</source>
-        <translation>Den linken lateralen Teil mit dem Skalpell abtrennen und mit dem Haken wegheben</translation>
+        <source>Draw the left lobe taut with the hook, cut it off with the scalpel, and lift the piece away</source>
+        <translation>Den linken Lappen mit dem Haken straffen, mit dem Skalpell abtrennen und wegheben</translation>
     </message>
     <message>
         <source>Left lateral part of the liver taken off</source>
