@@ -18,7 +18,8 @@ constexpr int kRate = 44100;               // samples per second
 constexpr double kBuffered = 0.08;         // s of sound that wait to be played
 constexpr const char* kSetting = "sound";  // whether sound is on
 
-// Null without one. Without a sound server Qt writes of its own calls on the console; the menu tells it in our words.
+// Null without one. Without a sound server Qt writes of its own calls on the console; the menu
+// tells it in our words.
 QAudioDevice soundDevice() {
   const QtMessageHandler told =
       qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
