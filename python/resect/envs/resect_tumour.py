@@ -1,7 +1,7 @@
 import numpy as np
 
 from resect.envs import turns
-from resect.envs.operation_env import UNIT, OperationEnv
+from resect.envs.operation_env import MOST_TURN, UNIT, OperationEnv
 
 
 class ResectTumour(OperationEnv):
@@ -29,7 +29,7 @@ centre = [0.90, 0.20, 0.55]
 radius = 0.012
 """
 
-    def __init__(self, *args, max_steps=250, **options):
+    def __init__(self, *args, max_steps=350, **options):
         super().__init__(*args, max_steps=max_steps, **options)
 
     def prepare(self):
@@ -39,7 +39,8 @@ radius = 0.012
 
     def begin(self):
         self._measure()
-        self._injured, self._way = False, self._strokes()
+        self._plane = self.middle()[0] - 0.024
+        self._injured, self._way, self._left = False, self._strokes(), np.pi  # rad that the edge will be turned by
         jitter = self.np_random.uniform(-0.01, 0.01, (2, 3))
         start = self.organ.at([0.62, 0, 0.0]) + [0, 0.10, -0.03] + jitter[0]
         hook = self.organ.at([1.0, 0.8, 0.6]) + [0.03, 0, 0] + jitter[1]
@@ -79,15 +80,25 @@ radius = 0.012
                              "specimen_ml": self._specimen}
 
     def scripted_action(self):
-        """Strokes from the back to the front, each deeper, in a plane beside the tumour."""
-        if not self._way:
-            return self.toward(0, self.tips()[0])
-        if np.linalg.norm(self._way[0] - self.tips()[0]) < 0.002:
+        """Strokes from the back to the front, each deeper, in a plane beside the tumour. Then, with the edge turned round,
+        one from the front, which cuts the strip that gave way where the others left the tissue."""
+        here = self.tips()[0]
+        if self._way and np.linalg.norm(self._way[0] - here) < 0.002:
             self._way.pop(0)
-        return self.toward(0, self._way[0] if self._way else self.tips()[0])
+        if self._way:
+            return self.toward(0, self._way[0])
+        action = self.toward(0, here)
+        if self._per_tool > 3 and self._left > 0:
+            turn = min(self._left, MOST_TURN)
+            action[4] = turn / MOST_TURN
+            self._left -= turn
+            if self._left == 0:
+                self._way = self._stroke(0.001)[::-1]
+        return action
+
+    def _stroke(self, low):
+        x, back, front = self._plane, self._low[2] + 0.02, self._high[2] - 0.02
+        return [np.array([x, y, z]) for y, z in ((0.09, back), (low, back), (low, front), (0.09, front))]
 
     def _strokes(self):
-        x = self.middle()[0] - 0.024
-        back, front = self._low[2] + 0.02, self._high[2] - 0.02
-        return [np.array([x, y, z]) for low in (0.03, 0.001, 0.001)
-                for y, z in ((0.09, back), (low, back), (low, front), (0.09, front))]
+        return sum((self._stroke(low) for low in (0.03, 0.001, 0.001)), [])
