@@ -2,6 +2,7 @@
 
 #include <pybind11/stl.h>
 
+#include "anatomy/vessel_map.h"
 #include "arrays.h"
 #include "base/error.h"
 #include "operation/ledger/ledger.h"
@@ -32,6 +33,19 @@ py::array labels(const OrganState& o) {
   std::vector<std::uint8_t> labels(organ.alive.size());
   for (std::size_t c = 0; c < labels.size(); ++c) labels[c] = organ.label(std::int64_t(c));
   return owning(std::move(labels), shape(o));
+}
+
+py::array segments(const OrganState& o) {
+  const Organ& organ = operated(o).organ;
+  std::vector<std::uint8_t> segments(organ.alive.size(), 0);
+  if (organ.map && organ.map->segments) {
+    const Lattice& lattice = organ.rest.lattice;
+    for (std::size_t c = 0; c < segments.size(); ++c)
+      if (organ.rest.inside[c])
+        segments[c] =
+            std::uint8_t(organ.map->segments->at(lattice.centre(lattice.cell(std::int64_t(c)))));
+  }
+  return owning(std::move(segments), shape(o));
 }
 
 const ElasticTissue& elastic(const OrganState& o, const char* what) {
@@ -158,6 +172,10 @@ void bindOrganState(py::module_& m) {
       .def_property_readonly("velocity", &velocity, "As displacement, m/s.")
       .def_property_readonly("labels", &labels,
                              "[nz, ny, nx] uint8: structure of each cell; a copy.")
+      .def_property_readonly("segments", &segments,
+                             "[nz, ny, nx] uint8: Couinaud's segment of the liver, 1 to 8, at "
+                             "rest; 0 outside the organ, and everywhere if "
+                             "its vessels do not tell them. A copy.")
       .def("cells", &cells, "[n] int64: the cells that have particles now.")
       .def("positions", &positions, py::arg("cells"), "[n, 3] float32: where these cells are now.")
       .def(

@@ -144,6 +144,8 @@ class OrganState:
     def velocity(self) -> tuple[NDArray[np.float32], ...]: ...  # m/s
     @property
     def labels(self) -> NDArray[np.uint8]: ...
+    @property
+    def segments(self) -> NDArray[np.uint8]: ...  # [nz, ny, nx]
     def cells(self) -> NDArray[np.int64]: ...
     def positions(self, cells: ArrayLike) -> NDArray[np.float32]: ...  # [n, 3], m
     def points(self) -> NDArray[np.float32]: ...  # [n, 3], m; stays as it was

@@ -122,6 +122,20 @@ class Simulations(unittest.TestCase):
             caught.set()
             thread.join()
 
+    def test_segments_of_the_liver_are_a_field_of_cells(self):
+        text = '[organ]\nsource = "liver"\nspacing = "10mm"\nvessels = "built-in"\n'
+        organ = resect.Simulation(resect.Scenario.parse(text, "liver")).organ()
+        segments = organ.segments
+        self.assertEqual((segments.shape, segments.dtype), (organ.alive.shape, np.uint8))
+        inside = organ.alive == 1
+        self.assertEqual(sorted(np.unique(segments[inside])), list(range(1, 9)))
+        self.assertEqual(segments[~inside].max(), 0)
+        # Segment II is on the patient's left, VI on the right; the liver lies as a surgeon sees it.
+        x = np.arange(organ.alive.shape[2])
+        middle = lambda segment: (x * (segments == segment)).sum() / (segments == segment).sum()
+        self.assertGreater(middle(2), middle(6) + 5)
+        self.assertEqual(soft_box().organ().segments.max(), 0)
+
     def test_edits_remove_cut_and_label(self):
         simulation = soft_box()
         organ = simulation.organ()
