@@ -123,7 +123,7 @@ class Simulations(unittest.TestCase):
             thread.join()
 
     def test_segments_of_the_liver_are_a_field_of_cells(self):
-        text = '[organ]\nsource = "liver"\nspacing = "10mm"\nvessels = "built-in"\n'
+        text = 'title = "Liver"\nduration = 1\n[organ]\nsource = "liver"\nspacing = "10mm"\nvessels = "built-in"\n'
         organ = resect.Simulation(resect.Scenario.parse(text, "liver")).organ()
         segments = organ.segments
         self.assertEqual((segments.shape, segments.dtype), (organ.alive.shape, np.uint8))
