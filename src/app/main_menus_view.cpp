@@ -2,6 +2,7 @@
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 
 #include <QAction>
+#include <QActionGroup>
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
@@ -82,6 +83,7 @@ void MainWindow::makeViewMenu() {
     session_->showField(on);
     if (options_.reports) say("setting {}", on ? "field" : "table");
   });
+  addLampMenu(view);
   breathing_ = view->addAction(Words::tr("B&reathing"));
   breathing_->setCheckable(true);
   breathing_->setToolTip(Words::tr(
@@ -114,6 +116,30 @@ void MainWindow::makeViewMenu() {
                   [this](const QString& sentence) { statusBar()->showMessage(sentence, 8000); });
   add(view, Words::tr("&Full screen"), QKeySequence("F11"), Words::tr("And back again"),
       [this] { isFullScreen() ? showNormal() : showFullScreen(); });
+}
+
+void MainWindow::addLampMenu(QMenu* view) {
+  QMenu* menu = view->addMenu(Words::tr("Surgical la&mp"));
+  menu->setToolTipsVisible(true);
+  auto* group = new QActionGroup(menu);
+  const std::pair<const char*, LampPlace> places[] = {
+      {QT_TRANSLATE_NOOP("window", "At the patient's &right"), LampPlace::PatientsRight},
+      {QT_TRANSLATE_NOOP("window", "At the patient's &left"), LampPlace::PatientsLeft},
+      {QT_TRANSLATE_NOOP("window", "Over the &surgeon's shoulder"), LampPlace::Surgeon},
+      {QT_TRANSLATE_NOOP("window", "Straight &above"), LampPlace::Above}};
+  for (const auto& [name, place] : places) {
+    QAction* action = menu->addAction(Words::tr(name));
+    action->setCheckable(true);
+    action->setChecked(place == lampPlace_);
+    action->setToolTip(
+        Words::tr("Moves the main lamp there; in a laparoscope's view it does not shine"));
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [this, place = place] {
+      lampPlace_ = place;
+      if (session_) session_->moveLamp(place);
+      if (options_.reports) say("lamp {}", int(place));
+    });
+  }
 }
 
 void MainWindow::zoom(double factor) {

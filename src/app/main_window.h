@@ -84,6 +84,7 @@ class MainWindow : public QMainWindow {
   void makeMenus();
   void makeScenarioMenu(QMenu* file);
   void makeViewMenu();
+  void addLampMenu(QMenu* view);
   void listInstruments();
   void makeDocks();
   void beginAgain(std::optional<double> spacing, int refine, bool elastic);
@@ -191,6 +192,7 @@ class MainWindow : public QMainWindow {
   QLabel *recording_, *notRecorded_;
   QMenu *recent_, *recordings_;
   QAction *undo_, *redo_, *recordingOn_;
+  LampPlace lampPlace_ = LampPlace::PatientsRight;
   QAction *breathing_, *dark_, *field_, *laboratory_, *marks_, *scale_, *thesis_;
   HintBar* hint_;
   OperationPanel* operation_;

@@ -154,6 +154,7 @@ bool MainWindow::begin(OrganLoader::Result result) {
     // The thesis's way of working has the laboratory, unless the user has chosen.
     session->setBleedingMarks(marks_->isChecked());
     session->showScale(laboratoryChosen_.value_or(result.scenario.mode == OperationMode::Thesis));
+    session->moveLamp(lampPlace_);
     session->look(RoomView::Surgeon, viewer_->aspect());
     if (places) {
       const int tools = std::min(int(places->tools.size()), session->tools().toolCount());

@@ -90,6 +90,15 @@ class Faults(ScreenTest):
         self.screen.key("alt+v", "r")
         window.wait("breathing off", 20)
 
+    def test_the_lamp_is_moved_in_the_view_menu(self):
+        window = self.opened("press", "--spacing", "12mm")
+        time.sleep(2)
+        before = self.screen.picture("lamp_right")
+        self.screen.key("alt+v", "m", "l")
+        window.wait("lamp 1", 20)
+        time.sleep(2)
+        self.assertNotEqual(self.screen.picture("lamp_left"), before)
+
     def test_the_size_is_what_it_says_and_no_text_is_cut(self):
         screen = Screen(FOLDER, 2732, 1536)
         self.addCleanup(screen.close)

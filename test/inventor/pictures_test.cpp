@@ -164,6 +164,23 @@ TEST_CASE("the organ casts a shadow on the table, away from the lamp") {
         doctest::Approx(brightness(mean(without, light, y))).epsilon(0.08));
 }
 
+TEST_CASE("the shadow moves with the lamp") {
+  BallOnTable scene;
+  OffscreenView view(kWidth, kHeight);
+  const RgbImage first = view.render(scene.room.root());
+  const int y = kHeight / 2, left = kWidth / 2 - 33, right = kWidth / 2 + 33;
+  CHECK(brightness(mean(first, right, y)) < 0.8 * brightness(mean(first, left, y)));
+  scene.room.moveLamp(LampPlace::PatientsLeft);
+  const RgbImage moved = view.render(scene.room.root());
+  CHECK(brightness(mean(moved, left, y)) < 0.8 * brightness(mean(moved, right, y)));
+  for (const LampPlace place : {LampPlace::Surgeon, LampPlace::Above}) {
+    scene.room.moveLamp(place);
+    CHECK(view.render(scene.room.root()).pixels != moved.pixels);
+  }
+  scene.room.moveLamp(LampPlace::PatientsRight);
+  CHECK(view.render(scene.room.root()).pixels == first.pixels);
+}
+
 TEST_CASE("the same scene gives the same bytes, again and in a new view") {
   BallOnTable scene;
   OffscreenView view(kWidth, kHeight);

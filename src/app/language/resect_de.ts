@@ -3761,5 +3761,29 @@
         <source>This computer has no device for sound</source>
         <translation>Dieser Computer hat kein Gerät für die Tonausgabe</translation>
     </message>
+    <message>
+        <source>Surgical la&amp;mp</source>
+        <translation>OP-La&amp;mpe</translation>
+    </message>
+    <message>
+        <source>At the patient&apos;s &amp;right</source>
+        <translation>&amp;Rechts vom Patienten</translation>
+    </message>
+    <message>
+        <source>At the patient&apos;s &amp;left</source>
+        <translation>&amp;Links vom Patienten</translation>
+    </message>
+    <message>
+        <source>Over the &amp;surgeon&apos;s shoulder</source>
+        <translation>Über der Schulter des &amp;Chirurgen</translation>
+    </message>
+    <message>
+        <source>Straight &amp;above</source>
+        <translation>Senkrecht &amp;darüber</translation>
+    </message>
+    <message>
+        <source>Moves the main lamp there; in a laparoscope&apos;s view it does not shine</source>
+        <translation>Bringt die Hauptlampe dorthin; in der Sicht eines Laparoskops leuchtet sie nicht</translation>
+    </message>
 </context>
 </TS>

@@ -124,6 +124,7 @@ class OperatingSession {
   const Scenario& scenario() const { return scenario_; }
   // From the next picture on, shows the operative field (true) or the table (false).
   void showField(bool field);
+  void moveLamp(LampPlace place);  // from the next picture on
   const std::vector<ToolModel>& toolModels() const { return toolModels_; }
   // Cells of the first organ before the operation.
   const Discretization& cells() const { return cells_; }

@@ -1,4 +1,4 @@
-// Which tips of instruments the picture shows.
+// Which tips of instruments the picture shows, and by which light.
 #include <Inventor/SbViewportRegion.h>
 
 #include <cmath>
@@ -24,6 +24,11 @@ void OperatingSession::noteSight(const SbViewportRegion& viewport) {
     sight[t] = ahead && seen ? Sight::Seen : Sight::Unseen;
   }
   operation_.setSight(std::move(sight));
+}
+
+void OperatingSession::moveLamp(LampPlace place) {
+  room().moveLamp(place);
+  damage_.everything = true;
 }
 
 }  // namespace resect

@@ -259,21 +259,4 @@ void OperatingRoom::addTissue(const TriangleMesh& mesh, const Vec3f& colour) {
 
 void OperatingRoom::setOrganPose(const Pose& pose) { setPose(organPose_, pose); }
 
-void OperatingRoom::lightUp(const Aabb& box) {
-  if (box.empty()) return;
-  const Vec3 centre = box.centre();
-  const double radius = std::max(0.5 * box.size().norm(), 1e-3);
-  const Vec3 places[2] = {{-0.50, 1.20, -0.10}, {0.85, 0.95, 0.45}};
-  // Lamps hang 1.3 m from a liver; for larger models the distance is scaled.
-  const double scale = std::max(1.0, radius / 0.2);
-  for (int k = 0; k < 2; ++k) {
-    lamps_[k]->location = toSb(centre + scale * places[k]);
-    lamps_[k]->direction = toSb(-places[k].normalized());
-    lamps_[k]->cutOffAngle = k == 0 ? 0.42f : 0.60f;
-  }
-  shadows_->lampPosition = lamps_[0]->location.getValue();
-  shadows_->focus = toSb(centre);
-  shadows_->radius = float(std::max(0.46, 1.5 * radius));
-}
-
 }  // namespace resect

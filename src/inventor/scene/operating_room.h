@@ -52,6 +52,9 @@ struct LooseBlood;
 
 enum class RoomView { Surgeon, Assistant, Top, Laparoscope };
 
+// Where the main surgical lamp hangs, as seen by the surgeon. The second lamp stands opposite.
+enum class LampPlace { PatientsRight, PatientsLeft, Surgeon, Above };
+
 constexpr const char* kRoomViewNames = "surgeon, assistant, top or laparoscope";
 
 // Direction from the centre of a view to the view's camera, unit.
@@ -167,6 +170,9 @@ class OperatingRoom {
   // Aims lamps and shadows at a box; world, m. Call this once per scene, and again when the organ's
   // pose has been set. Do not call it in every frame, since the light would flicker.
   void lightUp(const Aabb& box);
+  // Moves the lamps, as one does to light a wound. At first the main lamp hangs at the patient's
+  // right. Shadows follow in the next picture.
+  void moveLamp(LampPlace place);
 
   // Aims the camera at a box. The picture contains the whole box, except in the view of the
   // laparoscope: there, corners of the box may be outside the picture. box: world, m. aspect:
@@ -193,6 +199,8 @@ class OperatingRoom {
   SoSeparator* root_;
   SoPerspectiveCamera* camera_;
   SoSpotLight* lamps_[2];
+  LampPlace lampPlace_ = LampPlace::PatientsRight;
+  Aabb lit_;           // what the lamps are aimed at
   SoSpotLight* head_;  // the light at the eye
   SoSwitch* scope_;    // the mask round a laparoscope's picture
   SoShadowMaps* shadows_;

@@ -1,4 +1,4 @@
-// The named views of the operating room.
+// The named views of the operating room, and its lamps.
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoSpotLight.h>
@@ -8,11 +8,18 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "inventor/gl/SoShadowMaps.h"
 #include "inventor/gl/vectors.h"
 #include "inventor/scene/operating_room.h"
 
 namespace resect {
 namespace {
+
+// Main lamp and second lamp for each LampPlace, from the middle of what they light; m.
+const Vec3 kLampPlaces[][2] = {{{-0.50, 1.20, -0.10}, {0.85, 0.95, 0.45}},
+                               {{0.50, 1.20, -0.10}, {-0.85, 0.95, 0.45}},
+                               {{-0.20, 1.05, 0.75}, {0.85, 0.95, -0.45}},
+                               {{0.02, 1.30, 0.02}, {0.85, 0.95, 0.45}}};
 
 struct Direction {
   Vec3 towards;        // from the target to the camera
@@ -122,6 +129,29 @@ void OperatingRoom::viewAll(const Aabb& box, double aspect) {
 }
 
 bool OperatingRoom::throughScope() const { return scope_->whichChild.getValue() == SO_SWITCH_ALL; }
+
+void OperatingRoom::lightUp(const Aabb& box) {
+  if (box.empty()) return;
+  const Vec3 centre = box.centre();
+  const double radius = std::max(0.5 * box.size().norm(), 1e-3);
+  lit_ = box;
+  const auto& places = kLampPlaces[std::size_t(lampPlace_)];
+  // Lamps hang 1.3 m from a liver; for larger models the distance is scaled.
+  const double scale = std::max(1.0, radius / 0.2);
+  for (int k = 0; k < 2; ++k) {
+    lamps_[k]->location = toSb(centre + scale * places[k]);
+    lamps_[k]->direction = toSb(-places[k].normalized());
+    lamps_[k]->cutOffAngle = k == 0 ? 0.42f : 0.60f;
+  }
+  shadows_->lampPosition = lamps_[0]->location.getValue();
+  shadows_->focus = toSb(centre);
+  shadows_->radius = float(std::max(0.46, 1.5 * radius));
+}
+
+void OperatingRoom::moveLamp(LampPlace place) {
+  lampPlace_ = place;
+  lightUp(lit_);
+}
 
 // A laparoscope looks into a dark belly by its own light.
 void OperatingRoom::setLights(RoomView view) {
