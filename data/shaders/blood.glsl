@@ -44,8 +44,9 @@ vec2 bloodAt(vec3 rest, float rough, vec3 n) {
   float stream = noise(across * 170.0).x + 0.5 * noise(across * 430.0).x;
   float thin = (1.0 - smoothstep(0.10, 0.60, thick.x)) * smoothstep(0.15, 0.5, steep);
   thick.x *= mix(1.0, smoothstep(-0.75, 0.45, stream) * 1.5, thin);
-  vec2 least = vec2(0.018 * (1.0 + 0.7 * rough));
-  return thick * smoothstep(least, 3.0 * least, thick);
+  // Between cells thickness falls off in straight lines; a border that starts where the noise has it hides them.
+  vec2 least = vec2(0.018 + 0.12 * smoothstep(-0.5, 0.9, rough));
+  return thick * smoothstep(least, least + 0.04, thick);
 }
 
 // What is seen of a surface of this colour under blood: liquid absorbs green and blue within a twentieth
