@@ -46,7 +46,13 @@ void bindScenario(py::module_& m) {
       .def_readonly("name", &Scenario::name)
       .def_readonly("title", &Scenario::title)
       .def_readonly("description", &Scenario::description)
-      .def_readonly("duration", &Scenario::duration, "s")
+      .def_property_readonly(
+          "duration",
+          [](const Scenario& s) {
+            frameCount(s);  // which knows whether the ways are placed
+            return s.duration;
+          },
+          "s; as frame_count, known once a Simulation was made of the scenario")
       .def_readonly("frame_rate", &Scenario::frameRate, "Frames per simulated second.")
       .def_property_readonly("frame_count", &frameCount)
       .def_property_readonly("tools", &toolModels, "Models of the instruments, in order.")

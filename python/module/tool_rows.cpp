@@ -15,13 +15,17 @@ std::vector<ToolInput> inputsFrom(const Rows& rows, std::size_t tools) {
   const auto at = rows.unchecked<2>();
   std::vector<ToolInput> inputs(tools);
   for (std::size_t i = 0; i < tools; ++i) {
-    const auto n = [&](int column) { return at(pybind11::ssize_t(i), column); };
+    const auto n = [&](int column) {
+      const double value = at(pybind11::ssize_t(i), column);
+      require(std::isfinite(value), "column {} of instrument {} is {}; give a number", column, i,
+              value);
+      return value;
+    };
     ToolInput& one = inputs[i];
     one.pose.position = Vec3(n(0), n(1), n(2));
     one.pose.rotation = Eigen::Quaterniond(n(6), n(3), n(4), n(5));
     const double length = one.pose.rotation.norm();
-    // A quaternion of not-a-number goes on to the step, which reports it as a fault.
-    require(!(std::abs(length - 1) > 0.01),
+    require(std::abs(length - 1) < 0.01,
             "the quaternion of instrument {} has the length {:.3g}; give one of length 1", i,
             length);
     if (std::abs(length - 1) > 1e-9) one.pose.rotation.normalize();

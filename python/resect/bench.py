@@ -53,7 +53,7 @@ def main():
     parser.add_argument("--env", default="Incise", choices=sorted(KINDS))
     parser.add_argument("--envs", default="1,2,4,8,16", help="numbers of environments, as 1,2,4")
     parser.add_argument("--particles", default="300,1000,3000")
-    parser.add_argument("--tissue", default="plain,liver", help="plain, liver, or both")
+    parser.add_argument("--tissue", default="plain,liver", help="plain, liver, or plain,liver")
     parser.add_argument("--backend", default="processes", help="processes, threads, here, or several")
     parser.add_argument("--observation", default="state")
     parser.add_argument("--operator", default="random", choices=("random", "scripted"),

@@ -121,12 +121,12 @@ def write_demos(folder, kind, demos, seed=0, observation=("state",), options=Non
         held_back = np.arange(demos) % 10 == 9
         file.create_dataset("mask/train", data=names[~held_back])
         file.create_dataset("mask/valid", data=names[held_back])
-        card = _card(file, kind, env, options, seed, reached)
+        card = _card(file, kind, env, options, seed, reached, scripted=act is None)
     (folder / "README.md").write_text(card, encoding="utf-8")
     return reached
 
 
-def _card(file, kind, env, options, seed, reached):
+def _card(file, kind, env, options, seed, reached, scripted):
     demos = [k for k in file["data"]]
     first = file["data/demo_0"]
     lines = [f"# {len(demos)} demonstrations of {kind}", "", type(env).__doc__.strip().split("\n\n")[0], "",
@@ -143,10 +143,11 @@ def _card(file, kind, env, options, seed, reached):
               "| `states` | | the observation `state`, for programs that ask for robomimic's `states` |",
               "| `start_state` | bytes | `Simulation.save()` at the beginning; attribute `end_state_hash`: the digest at "
               "the end |", "",
-              "`mask/train` and `mask/valid` list nine tenths and one tenth of the demonstrations.", "",
+              "`mask/valid` lists every tenth demonstration, `mask/train` the others.", "",
               "## Limits", "",
-              "The organ is a formula fitted to one liver; the operator is a program that knows the scene, not a surgeon. "
-              "Not for decisions about patients.", "",
+              "The organ is a formula fitted to one liver; the operator is "
+              + ("a program that knows the scene" if scripted else "the function that was given to write_demos()")
+              + ", not a surgeon. Not for decisions about patients.", "",
               "## Proof", "",
               "`resect.dataset.replay(FOLDER, N)` takes the actions of a demonstration from its first state and compares "
               "the state at the end bit for bit.", ""]
@@ -210,7 +211,12 @@ def export_recordings(folder, files, rate=10.0, observation=("rgb", "depth", "la
 
 def replay(folder, number):
     """Whether the actions of a demonstration lead from its first state to the state at its end, bit for bit."""
-    with _h5py().File(pathlib.Path(folder) / "demos.hdf5") as file:
+    path = pathlib.Path(folder) / "demos.hdf5"
+    if not path.is_file():
+        raise resect.Error(f"{path} is not there; give a folder that write_demos() has written")
+    with _h5py().File(path) as file:
+        if f"demo_{number}" not in file["data"]:
+            raise resect.Error(f"{path} has no demonstration {number}; give 0 to {len(file['data']) - 1}")
         args = json.loads(file["data"].attrs["env_args"])
         demo = file[f"data/demo_{number}"]
         env = KINDS[args["env_name"]](**{**args["env_kwargs"], "observation": "state"})

@@ -109,6 +109,16 @@ class Many(unittest.TestCase):
         self.assertEqual(here, self.bits("processes"))
         self.assertEqual(here, self.bits("threads"))
 
+    def test_a_refused_action_leaves_the_environments_at_work(self):
+        for backend in ("processes", "threads", "here"):
+            with self.subTest(backend), envs.VectorEnv(lambda: envs.Reach(particles=300), 2, backend) as many:
+                many.reset(seed=0)
+                bad = many.action_space.sample()
+                bad[1, 0] = np.nan
+                with self.assertRaisesRegex(resect.Error, "the action of environment 1 is not all numbers"):
+                    many.step(bad)
+                self.assertEqual(len(many.step(np.zeros_like(bad))[1]), 2)
+
     def test_the_first_environment_does_not_depend_on_their_number(self):
         def first(count):
             with envs.VectorEnv(lambda: envs.Reach(particles=300), count, "here") as many:

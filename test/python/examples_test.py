@@ -71,6 +71,10 @@ class Examples(unittest.TestCase):
 
 @needs("h5py")
 class DataSets(unittest.TestCase):
+    def test_what_is_not_there_is_not_replayed(self):
+        with self.assertRaisesRegex(resect.Error, "is not there; give a folder"):
+            dataset.replay("nowhere", 0)
+
     def test_the_layout_is_that_of_robomimic_and_the_actions_prove_the_end(self):
         import h5py
         reached = dataset.write_demos("reach", "Reach", 3, seed=5, options={"particles": 300})

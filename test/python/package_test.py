@@ -136,6 +136,22 @@ class Simulations(unittest.TestCase):
         self.assertGreater(middle(2), middle(6) + 5)
         self.assertEqual(soft_box().organ().segments.max(), 0)
 
+    def test_a_step_refuses_what_is_no_number_and_cells_that_are_not_there(self):
+        simulation = resect.Simulation(resect.Scenario.parse(
+            'title = "Box"\nduration = 1\n[organ]\nsource = "liver"\nspacing = "20mm"\n[[tool]]\nmodel = "baton"\n', "box"))
+        before = simulation.state_hash
+        for column in range(10):
+            rows = simulation.tool_rests()
+            rows[0, column] = np.nan
+            with self.assertRaisesRegex(resect.Error, f"column {column} of instrument 0 is nan"):
+                simulation.step(rows)
+        for cell in (-1, 10**9):
+            with self.assertRaisesRegex(resect.Error, f"an edit is of cell {cell}"):
+                simulation.step(edits=[resect.Edit.remove(cell)])
+        with self.assertRaisesRegex(resect.Error, "there is no organ 3"):
+            simulation.step(edits=[resect.Edit.remove(0, organ=3)])
+        self.assertEqual(simulation.state_hash, before)
+
     def test_edits_remove_cut_and_label(self):
         simulation = soft_box()
         organ = simulation.organ()

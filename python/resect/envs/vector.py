@@ -90,7 +90,11 @@ def _serve(make, number, shared, pipe):
             command, argument = pipe.recv()
             if command == "close":
                 break
-            pipe.send(("done", _work(env, number, shared, command, argument)))
+            try:
+                answer = "done", _work(env, number, shared, command, argument)
+            except resect.Error as e:
+                answer = "refused", str(e)
+            pipe.send(answer)
         env.close()
     except (EOFError, KeyboardInterrupt):
         pass
@@ -139,7 +143,7 @@ class VectorEnv:
             self._pipes.append(here)
             self._processes.append(process)
         for number in range(len(self._pipes)):
-            self._answer(number)
+            self._content(number, *self._receive(number))
 
     def reset(self, *, seed=None, options=None):
         """seed: a number, or a list with one per environment."""
@@ -157,6 +161,9 @@ class VectorEnv:
         actions = np.asarray(actions, np.float32)
         if actions.shape != self._shared.actions.shape:
             raise resect.Error(f"actions must be an array {list(self._shared.actions.shape)}, not {list(actions.shape)}")
+        if not np.isfinite(actions).all():
+            number = int(np.argwhere(~np.isfinite(actions))[0, 0])
+            raise resect.Error(f"the action of environment {number} is not all numbers; give finite numbers from -1 to 1")
         self._shared.actions[:] = actions
         self._begin("step", [None] * self.num_envs)
 
@@ -209,16 +216,19 @@ class VectorEnv:
 
     def _end(self):
         if self.backend == "processes":
-            return [self._answer(number) for number in range(self.num_envs)]
+            answers = [self._receive(number) for number in range(self.num_envs)]
+            return [self._content(number, *answer) for number, answer in enumerate(answers)]
         if self._pool:
             return [task.result() for task in self._due]
         return [_work(*task) for task in self._due]
 
-    def _answer(self, number):
+    def _receive(self, number):
         try:
-            word, content = self._pipes[number].recv()
+            return self._pipes[number].recv()
         except (EOFError, ConnectionResetError):
-            word, content = "failed", "its process ended"
-        if word == "failed":
+            return "failed", "its process ended"
+
+    def _content(self, number, word, content):
+        if word in ("failed", "refused"):
             raise resect.Error(f"environment {number} of {self.num_envs} failed: {content}")
         return content

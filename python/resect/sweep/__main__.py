@@ -101,6 +101,8 @@ def collect(plan, output):
 
 def verify(plan, table, count):
     """Runs some rows of a table again and compares the state hashes; returns the exit status."""
+    if not pathlib.Path(table).is_file():
+        raise resect.Error(f"{table} is not there yet; run the sweep first, without --verify")
     rows = {int(r["row"]): r for r in read_table(table)}
     done = [n for n, r in sorted(rows.items()) if n < len(plan.rows) and r["state_hash"]]
     if not done:
