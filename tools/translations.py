@@ -48,7 +48,8 @@ OTHERS = [
     "open, %1 boundary edge",
     "open, %1 boundary edges",
     "label %1",
-    "%1, from %2",  # the name of a branch
+    "0, from the start",  # names of branches
+    "%1, from %2",
     "at most %1",
     "at least %1",
     "%1 of %2 mm",

@@ -196,6 +196,10 @@ void MainWindow::makeMenus() {
 // focused by Tab it presses the button, as usual.
 bool MainWindow::eventFilter(QObject* object, QEvent* event) {
   const bool key = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+  const auto* widget = key ? qobject_cast<QWidget*>(object) : nullptr;
+  if (!widget || QApplication::activePopupWidget()) return false;
+  if (exercises_->isVisible() && widget->window() == this)
+    return keyOnExercises(static_cast<QKeyEvent*>(event), exercises_->isAncestorOf(widget));
   // With an instrument in hand that has a pedal, P is the pedal.
   if (object == viewer_ && event->type() == QEvent::ShortcutOverride &&
       static_cast<QKeyEvent*>(event)->key() == Qt::Key_P && session_ &&
@@ -203,9 +207,7 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event) {
     event->accept();
     return true;
   }
-  const auto* widget = key ? qobject_cast<QWidget*>(object) : nullptr;
-  if (!widget || widget == viewer_ || QApplication::activePopupWidget()) return false;
-  if (exercises_->isAncestorOf(widget)) return false;
+  if (widget == viewer_) return false;
   if (widget->window() != this && !qobject_cast<QDockWidget*>(widget->window())) return false;
   const int code = static_cast<QKeyEvent*>(event)->key();
   if (code == Qt::Key_Escape && event->type() == QEvent::KeyPress) {
@@ -221,6 +223,18 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event) {
     return true;
   }
   return false;
+}
+
+// The page of exercises hides the operation, so keys do not reach it; Escape leaves the page.
+bool MainWindow::keyOnExercises(QKeyEvent* event, bool onPage) {
+  if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier) || event->key() == Qt::Key_F11)
+    return false;
+  if (event->type() == QEvent::ShortcutOverride) {
+    event->accept();
+    return true;
+  }
+  if (event->key() == Qt::Key_Escape) hideExercises();
+  return !onPage || event->key() == Qt::Key_Escape;
 }
 
 void MainWindow::fillRecent() {

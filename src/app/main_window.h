@@ -85,6 +85,7 @@ class MainWindow : public QMainWindow {
   void makeScenarioMenu(QMenu* file);
   void makeViewMenu();
   void addLampMenu(QMenu* view);
+  bool keyOnExercises(QKeyEvent* event, bool onPage);
   void listInstruments();
   void makeDocks();
   void beginAgain(std::optional<double> spacing, int refine, bool elastic);

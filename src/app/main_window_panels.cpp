@@ -238,6 +238,7 @@ void MainWindow::showLaboratory(bool shown) {
   QTimer::singleShot(0, this, [this] { arrangePanels(); });
   scale_->setChecked(shown);
   timeline_->setLaboratory(shown);
+  exercises_->raise();  // panels that appear would lie over it
   if (options_.reports) say("laboratory {}", shown ? "shown" : "hidden");
 }
 

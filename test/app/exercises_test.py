@@ -38,6 +38,17 @@ class Exercises(ScreenTest):
     def press(self, window, name):
         self.screen.click(*window.places[name])
 
+    def test_keys_do_not_reach_the_operation_behind_the_cards(self):
+        window = self.opened("press", "--spacing", "12mm", "--exercises")
+        self.cards(window)
+        self.screen.key("1", "F2", "p", "space")
+        time.sleep(2)
+        self.assertEqual([line for line in window.said if line.startswith(("held Scalpel", "laboratory", "showing"))], [])
+        self.screen.key("Escape")
+        window.wait("exercises hidden", 20)
+        self.screen.key("1")
+        window.wait("held Scalpel", 20)
+
     def level(self, window, exercise, key):
         self.press(window, f"Level of {exercise}")
         time.sleep(0.5)

@@ -44,6 +44,8 @@ TEST_CASE("values that are words are translated too") {
   CHECK(german("Largest force: 3.1 N, wanted at most 2 N. The largest force was 3.1 N on the "
                "Scalpel.") ==
         "Größte Kraft: 3.1 N, gewünscht höchstens 2 N. Die größte Kraft war 3.1 N (Skalpell).");
+  CHECK(german("0, from the start") == "0, ab dem Beginn");
+  CHECK(german("2, from 0:12.3") == "2, ab 0:12.3");
   CHECK(german("Clips placed: 5, wanted 2 to 4.") == "Gesetzte Clips: 5, gewünscht 2 bis 4.");
   CHECK(german("The goal was reached, but not as wanted: blood lost, path length.") ==
         "Das Ziel wurde erreicht, aber nicht wie gewünscht: Blutverlust, Weglänge.");

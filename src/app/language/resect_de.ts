@@ -1466,6 +1466,10 @@
         <source>%1, from %2</source>
         <translation>%1, ab %2</translation>
     </message>
+    <message>
+        <source>0, from the start</source>
+        <translation>0, ab dem Beginn</translation>
+    </message>
 </context>
 <context>
     <name>window</name>
@@ -2227,19 +2231,19 @@
     </message>
     <message>
         <source>&amp;Undo stroke</source>
-        <translation>Zug &amp;rückgängig</translation>
+        <translation>Letzte Bewegung &amp;rückgängig</translation>
     </message>
     <message>
         <source>Takes back the last stroke: from the first touch until the hand let go</source>
-        <translation>Nimmt den letzten Zug zurück: von der ersten Berührung bis zum Loslassen</translation>
+        <translation>Nimmt die letzte Bewegung zurück: von der ersten Berührung bis zum Loslassen</translation>
     </message>
     <message>
         <source>&amp;Redo stroke</source>
-        <translation>Zug &amp;wiederholen</translation>
+        <translation>Bewegung &amp;wiederholen</translation>
     </message>
     <message>
         <source>Does again the stroke that was taken back last</source>
-        <translation>Führt den zuletzt zurückgenommenen Zug wieder aus</translation>
+        <translation>Führt die zuletzt zurückgenommene Bewegung wieder aus</translation>
     </message>
     <message>
         <source>&amp;Instruments</source>
@@ -2375,7 +2379,7 @@
     </message>
     <message>
         <source>Zoom &amp;in</source>
-        <translation>&amp;Größer</translation>
+        <translation>Ver&amp;größern</translation>
     </message>
     <message>
         <source>Nearer to the middle of the picture; the wheel zooms to the pointer</source>
@@ -2383,7 +2387,7 @@
     </message>
     <message>
         <source>Zoom &amp;out</source>
-        <translation>&amp;Kleiner</translation>
+        <translation>Ver&amp;kleinern</translation>
     </message>
     <message>
         <source>Farther away</source>
@@ -2415,7 +2419,7 @@
     </message>
     <message>
         <source>Cells, surface and timing: panels for those who develop, and the scale of the iso level</source>
-        <translation>Zellen, Oberfläche und Zeiten: Tafeln für die Entwicklung, und die Skala der Iso-Schwelle</translation>
+        <translation>Zellen, Oberfläche und Zeiten: Bedienfelder für die Entwicklung, und die Skala der Iso-Schwelle</translation>
     </message>
     <message>
         <source>S&amp;cale of the iso level</source>
@@ -2451,11 +2455,11 @@
     </message>
     <message>
         <source>&amp;Panels</source>
-        <translation>&amp;Tafeln</translation>
+        <translation>Bedien&amp;felder</translation>
     </message>
     <message>
         <source>Shows or hides this panel</source>
-        <translation>Zeigt diese Tafel oder blendet sie aus</translation>
+        <translation>Zeigt dieses Bedienfeld oder blendet es aus</translation>
     </message>
     <message>
         <source>&amp;Dark</source>
@@ -2591,15 +2595,15 @@
     </message>
     <message>
         <source>There is no stroke to take back</source>
-        <translation>Es gibt keinen Zug, der zurückgenommen werden könnte</translation>
+        <translation>Es gibt keine Bewegung, die zurückgenommen werden könnte</translation>
     </message>
     <message>
         <source>Stroke %1 is done again</source>
-        <translation>Zug %1 wird wiederholt</translation>
+        <translation>Bewegung %1 wird wiederholt</translation>
     </message>
     <message>
         <source>Stroke %1 is taken back</source>
-        <translation>Zug %1 wird zurückgenommen</translation>
+        <translation>Bewegung %1 wird zurückgenommen</translation>
     </message>
     <message>
         <source>Click on the organ</source>
@@ -2663,11 +2667,11 @@
     </message>
     <message>
         <source>%1, %2, %3 stroke</source>
-        <translation>%1, %2, %3 Zug</translation>
+        <translation>%1, %2, %3 Bewegung</translation>
     </message>
     <message>
         <source>%1, %2, %3 strokes</source>
-        <translation>%1, %2, %3 Züge</translation>
+        <translation>%1, %2, %3 Bewegungen</translation>
     </message>
     <message>
         <source>%1  (this one)</source>
@@ -2935,7 +2939,7 @@
     </message>
     <message>
         <source>Strokes</source>
-        <translation>Züge</translation>
+        <translation>Bewegungen</translation>
     </message>
     <message>
         <source>Removed, ml</source>
@@ -3115,7 +3119,7 @@
     </message>
     <message>
         <source>takes the last stroke back; with Shift does it again</source>
-        <translation>nimmt den letzten Zug zurück; mit Umschalt wiederholt es ihn</translation>
+        <translation>nimmt die letzte Bewegung zurück; mit Umschalt wiederholt es ihn</translation>
     </message>
     <message>
         <source>Drag in the timeline</source>
@@ -3422,8 +3426,8 @@
         <translation>Stücke, die nicht mehr mit dem Organ zusammenhängen</translation>
     </message>
     <message>
-        <source>Incisions</source>
-        <translation>Schnitte</translation>
+        <source>Cut area</source>
+        <translation>Schnittfläche</translation>
     </message>
     <message>
         <source>Area of all cuts</source>
@@ -3436,10 +3440,6 @@
     <message>
         <source>What the hand feels on the instrument</source>
         <translation>Was die Hand am Instrument spürt</translation>
-    </message>
-    <message>
-        <source>Most</source>
-        <translation>Größte</translation>
     </message>
     <message>
         <source>The largest force so far, and the instrument that met it</source>
@@ -3639,7 +3639,7 @@
     </message>
     <message>
         <source>Stroke %1</source>
-        <translation>Zug %1</translation>
+        <translation>Bewegung %1</translation>
     </message>
     <message>
         <source>, %L1 particle removed</source>
@@ -3784,6 +3784,10 @@
     <message>
         <source>Moves the main lamp there; in a laparoscope&apos;s view it does not shine</source>
         <translation>Bringt die Hauptlampe dorthin; in der Sicht eines Laparoskops leuchtet sie nicht</translation>
+    </message>
+    <message>
+        <source>%1 ml/min from vessels</source>
+        <translation>%1 ml/min aus Gefäßen</translation>
     </message>
 </context>
 </TS>

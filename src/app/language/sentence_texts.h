@@ -252,6 +252,7 @@ inline constexpr const char* kSentenceTexts[] = {
     QT_TRANSLATE_NOOP("sentences", "open, %1 boundary edge"),
     QT_TRANSLATE_NOOP("sentences", "open, %1 boundary edges"),
     QT_TRANSLATE_NOOP("sentences", "label %1"),
+    QT_TRANSLATE_NOOP("sentences", "0, from the start"),
     QT_TRANSLATE_NOOP("sentences", "%1, from %2"),
     QT_TRANSLATE_NOOP("sentences", "at most %1"),
     QT_TRANSLATE_NOOP("sentences", "at least %1"),

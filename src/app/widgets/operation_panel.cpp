@@ -61,10 +61,10 @@ OperationPanel::OperationPanel(QWidget* parent)
   removed_ = addRow(Words::tr("Removed"), Words::tr("Tissue taken out"));
   pieces_ =
       addRow(Words::tr("Cut off"), Words::tr("Pieces that hang together with the organ no more"));
-  cut_ = addRow(Words::tr("Incisions"), Words::tr("Area of all cuts"));
+  cut_ = addRow(Words::tr("Cut area"), Words::tr("Area of all cuts"));
   margin_ = addRow(Words::tr("Margin"), Words::tr("Least distance of a structure from a cut"));
   force_ = addRow(Words::tr("Force"), Words::tr("What the hand feels on the instrument"));
-  most_ = addRow(Words::tr("Most"),
+  most_ = addRow(Words::tr("Largest force"),
                  Words::tr("The largest force so far, and the instrument that met it"));
 }
 
@@ -100,8 +100,11 @@ void OperationPanel::begin(const Scenario& scenario, const QString& notes,
 void OperationPanel::follow(const LiveState& state, int held) {
   set(time_, clockText(double(state.moment.frame) / frameRate_));
   set(blood_, state.bleeds ? millilitres(state.bled) : QString());
+  // At a moment that is shown, what oozes is not known (docs/window.md).
   set(bleeding_,
-      state.bleeds ? Words::tr("%1 ml/min").arg(state.bleedingRate * 60e6, 0, 'f', 0) : QString());
+      state.bleeds ? (state.showing ? Words::tr("%1 ml/min from vessels") : Words::tr("%1 ml/min"))
+                         .arg(state.bleedingRate * 60e6, 0, 'f', 0)
+                   : QString());
   set(grade_, state.bleeds ? gradeText(state.bleedingRate) : QString());
   set(removed_, millilitres(state.removedVolume));
   const std::int64_t pieces = state.ledger ? state.ledger->pieces() : 0;
