@@ -34,7 +34,7 @@ QString gradeText(double bleedingRate) {
                        : grade == 2 ? Words::tr("moderate")
                        : grade == 3 ? Words::tr("severe")
                                     : Words::tr("life-threatening");
-  return grade == 0 ? name : Words::tr("%1 (%2 of 4)").arg(name).arg(grade);
+  return grade % 4 == 0 ? name : Words::tr("%1 (%2 of 4)").arg(name).arg(grade);  // ends need none
 }
 
 }  // namespace
