@@ -119,7 +119,7 @@ void MainWindow::makeViewMenu() {
 }
 
 void MainWindow::addLampMenu(QMenu* view) {
-  QMenu* menu = view->addMenu(Words::tr("Surgical la&mp"));
+  QMenu* menu = view->addMenu(Words::tr("S&urgical lamp"));
   menu->setToolTipsVisible(true);
   auto* group = new QActionGroup(menu);
   const std::pair<const char*, LampPlace> places[] = {

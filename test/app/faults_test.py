@@ -94,7 +94,7 @@ class Faults(ScreenTest):
         window = self.opened("press", "--spacing", "12mm")
         time.sleep(2)
         before = self.screen.picture("lamp_right")
-        self.screen.key("alt+v", "m", "l")
+        self.screen.key("alt+v", "u", "l")
         window.wait("lamp 1", 20)
         time.sleep(2)
         self.assertNotEqual(self.screen.picture("lamp_left"), before)

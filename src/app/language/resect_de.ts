@@ -3762,7 +3762,7 @@
         <translation>Dieser Computer hat kein Gerät für die Tonausgabe</translation>
     </message>
     <message>
-        <source>Surgical la&amp;mp</source>
+        <source>S&amp;urgical lamp</source>
         <translation>OP-La&amp;mpe</translation>
     </message>
     <message>
