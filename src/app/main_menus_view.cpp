@@ -120,7 +120,6 @@ void MainWindow::makeViewMenu() {
 
 void MainWindow::addLampMenu(QMenu* view) {
   QMenu* menu = view->addMenu(Words::tr("S&urgical lamp"));
-  menu->setToolTipsVisible(true);
   auto* group = new QActionGroup(menu);
   const std::pair<const char*, LampPlace> places[] = {
       {QT_TRANSLATE_NOOP("window", "At the patient's &right"), LampPlace::PatientsRight},

@@ -34,7 +34,8 @@ QString gradeText(double bleedingRate) {
                        : grade == 2 ? Words::tr("moderate")
                        : grade == 3 ? Words::tr("severe")
                                     : Words::tr("life-threatening");
-  return grade % 4 == 0 ? name : Words::tr("%1 (%2 of 4)").arg(name).arg(grade);  // ends need none
+  const bool known = grade == 0 || grade == 4;  // the ends of the scale need no number
+  return known ? name : Words::tr("%1 (%2 of 4)").arg(name).arg(grade);
 }
 
 }  // namespace
