@@ -16,20 +16,6 @@ namespace resect::python {
 
 namespace {
 
-void requireCell(const Session& session, const TissueEdit& edit) {
-  session.requireOrgan(std::size_t(edit.organ));
-  std::visit(
-      [&](const auto& what) {
-        if constexpr (requires { what.cell; }) {
-          const std::int64_t cells =
-              session.simulation->organs()[std::size_t(edit.organ)].organ.rest.lattice.cellCount();
-          require(what.cell >= 0 && what.cell < cells, "an edit is of cell {}; give 0 to {}",
-                  what.cell, cells - 1);
-        }
-      },
-      edit.what);
-}
-
 std::shared_ptr<StepReport> step(Session& session, const std::optional<Rows>& tools,
                                  std::optional<double> duration, std::vector<TissueEdit> edits,
                                  std::optional<float> iso, std::shared_ptr<StepReport> report) {
@@ -37,7 +23,6 @@ std::shared_ptr<StepReport> step(Session& session, const std::optional<Rows>& to
   input.tools =
       tools ? inputsFrom(*tools, session.simulation->tools().size()) : session.presentInputs();
   input.duration = duration.value_or(1 / session.scenario.frameRate);
-  for (const TissueEdit& edit : edits) requireCell(session, edit);
   input.edits = std::move(edits);
   input.iso = iso;
   if (!report) report = std::make_shared<StepReport>();

@@ -47,6 +47,34 @@ def steps_per_second(make, count, backend, warm, measured, seed=0):
         envs.close()
 
 
+def reset_times(env, episodes=20):
+    """Medians, ms: of reset() as nothing was done, and after an episode of the scripted operator."""
+    def timed(seed):
+        begin = time.perf_counter()
+        env.reset(seed=seed)
+        return 1e3 * (time.perf_counter() - begin)
+
+    env.reset(seed=0)
+    idle = [timed(seed) for seed in range(episodes)]
+    worked = []
+    for seed in range(episodes):
+        over = False
+        while not over:
+            _, _, terminated, truncated, _ = env.step(env.scripted_action())
+            over = terminated or truncated
+        worked.append(timed(seed))
+    return float(np.median(idle)), float(np.median(worked))
+
+
+def print_resets(given):
+    for tissue in given.tissue.split(","):
+        for particles in map(int, given.particles.split(",")):
+            env = KINDS[given.env](observation=given.observation, particles=particles, tissue=tissue)
+            idle, worked = reset_times(env)
+            print(f"  {given.env}, {tissue:5}  {particles:5} particles  reset() {idle:.1f} ms, after an episode {worked:.1f} ms",
+                  flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(prog="python3 -m resect.bench", description=__doc__.split("\n\n")[0],
                                      epilog="\n".join(__doc__.split("\n\n")[1:]))
@@ -59,8 +87,14 @@ def main():
     parser.add_argument("--operator", default="random", choices=("random", "scripted"),
                         help="random actions, or the scripted operator, who cuts almost always")
     parser.add_argument("--quick", action="store_true", help="50 steps after 10")
+    parser.add_argument("--resets", action="store_true", help="instead of steps: the time of reset()")
     parser.add_argument("--csv", help="file for the table")
     given = parser.parse_args()
+    for tissue in given.tissue.split(","):
+        if tissue not in TISSUES:
+            parser.error(f"tissue is {tissue}; use plain or liver")
+    if given.resets:
+        return print_resets(given)
     numbers = [int(n) for n in given.envs.split(",")]
     warm, measured = (10, 50) if given.quick else (100, 500)
     cores = len(os.sched_getaffinity(0))
@@ -69,8 +103,6 @@ def main():
     rows = [("env", "observation", "tissue", "particles", "backend", "envs", "steps_per_s", "steps_per_processor_s",
              "share_that_cuts", "load")]
     for tissue in given.tissue.split(","):
-        if tissue not in TISSUES:
-            parser.error(f"tissue is {tissue}; use plain or liver")
         for particles in map(int, given.particles.split(",")):
             for backend in given.backend.split(","):
                 for count in numbers:

@@ -132,7 +132,7 @@ void brickLook(const ColourField& field, const NodeGrid& grid, std::int64_t bric
   gatherHalo(field, place, halo);
   Slopes slopes;
   findSlopes(halo, slopes);
-  const bool edited = field.edited(brick);
+  const bool edited = field.cellsEdited(brick);
   for (std::size_t i = 0; i < edges.size(); i += 4) {
     // Beyond the last vertex the last one's edge is used.
     std::size_t low[4], high[4];
@@ -164,10 +164,11 @@ void brickLook(const ColourField& field, const NodeGrid& grid, std::int64_t bric
     for (std::size_t k = i; k < std::min(i + 4, edges.size()); ++k) {
       const int node = edges[k] % kBrickSize;
       const Vec3i from = kBrickNodes * place + Vec3i(node & 3, node >> 2 & 3, node >> 4);
-      const float t = way[k - i];
-      cut[k] = cutShare((1 - t) * field.originalNode(from) +
-                            t * field.originalNode(from + Vec3i::Unit(edges[k] / kBrickSize)),
-                        grid.iso);
+      const float t = way[k - i], below = field.originalNode(from),
+                  above = field.originalNode(from + Vec3i::Unit(edges[k] / kBrickSize));
+      // Where nothing changed, the share is 0, even of a vertex that was kept off its edge's end.
+      if (below != slopes.value[low[k - i]] || above != slopes.value[high[k - i]])
+        cut[k] = cutShare((1 - t) * below + t * above, grid.iso);
     }
   }
 }

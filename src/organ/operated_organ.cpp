@@ -36,16 +36,19 @@ void remake(OperatedOrgan& o, bool keepsLook) {
   organ.heat.requireSound();
   o.tissue->endRestore(organ.alive);
   renewCords(o);
+  std::vector<std::int64_t> changed;  // cells whose particles are gone now, or there again
   for (std::int64_t cell = 0; cell < organ.rest.lattice.cellCount(); ++cell) {
     const bool there = organ.alive[std::size_t(cell)] != 0;
     if (!(organ.rest.value[std::size_t(cell)] > 0) || there == (organ.field.cellValue(cell) > 0))
       continue;
-    if (ownerCell(organ.rest, cell) == cell) setParticle(organ, cell, there);
+    if (ownerCell(organ.rest, cell) != cell) continue;
+    setParticle(organ, cell, there);
+    changed.push_back(cell);
   }
-  organ.field.update();
-  setIso(organ, organ.iso);
+  updateRestoredSurface(organ, updateField(organ));
   if (keepsLook) organ.surface.updateLook(organ.field);
-  if (o.tissue->moves()) o.skin.follow(organ.surface, organ.rest.lattice, *o.tissue, {}, keepsLook);
+  if (o.tissue->moves())
+    o.skin.follow(organ.surface, organ.rest.lattice, *o.tissue, changed, keepsLook);
 }
 
 std::uint64_t fingerprint(const Organ& organ) {

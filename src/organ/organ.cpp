@@ -124,6 +124,14 @@ void updateSurface(Organ& organ, std::span<const std::int64_t> touchedBricks) {
                          organ.severed.update());
 }
 
+void updateRestoredSurface(Organ& organ, std::span<const std::int64_t> touchedBricks) {
+  if (organ.iso != organ.surface.iso()) return setIso(organ, organ.iso);
+  organ.severed.update();  // all bricks near a wound are meshed, whatever was severed
+  const Wound wound{organ.severed, organ.alive};
+  organ.surface.updateRestored(organ.field, touchedBricks,
+                               organ.severed.empty() ? nullptr : &wound);
+}
+
 void setIso(Organ& organ, float iso) {
   organ.severed.update();  // all bricks are meshed, whatever was severed
   const Wound wound{organ.severed, organ.alive};

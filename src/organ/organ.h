@@ -105,6 +105,8 @@ std::int64_t incise(Organ& organ, const SweptBlade& blade,
 // then meshes them again.
 std::span<const std::int64_t> updateField(Organ& organ);
 void updateSurface(Organ& organ, std::span<const std::int64_t> touchedBricks);
+// As updateSurface(), after a state was restored.
+void updateRestoredSurface(Organ& organ, std::span<const std::int64_t> touchedBricks);
 // Sets another iso level and meshes the whole surface again.
 void setIso(Organ& organ, float iso);
 

@@ -109,6 +109,14 @@ void Simulation::requireSound(const FrameInput& input) const {
     require(edit.tool >= -1 && edit.tool < std::int32_t(tools_.size()),
             "an edit is by tool {}, and there are {}; give -1 for nobody, or number from 0",
             edit.tool, tools_.size());
+    const std::int64_t cells = organs_[std::size_t(edit.organ)].organ.rest.lattice.cellCount();
+    std::visit(
+        [&](const auto& what) {
+          if constexpr (requires { what.cell; })
+            require(what.cell >= 0 && what.cell < cells, "an edit is of cell {}; give 0 to {}",
+                    what.cell, cells - 1);
+        },
+        edit.what);
     const auto* grip = std::get_if<Grip>(&edit.what);
     require(!grip || isFinite(grip->pose),
             "tool {} grips in a pose that is not a number; give a finite one", edit.tool);

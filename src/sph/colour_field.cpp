@@ -286,6 +286,16 @@ std::span<const std::int64_t> ColourField::update() {
   return touched_;
 }
 
+bool ColourField::cellsEdited(std::int64_t b) const {
+  if (originalOf_.empty()) return false;
+  const Vec3i low = brick(b), high = (low + Vec3i::Ones()).cwiseMin(brickDims_ - Vec3i::Ones());
+  for (int z = low.z(); z <= high.z(); ++z)
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int x = low.x(); x <= high.x(); ++x)
+        if (edited(brickIndex({x, y, z}))) return true;
+  return false;
+}
+
 std::size_t ColourField::bytes() const {
   return cells_.bytes() + (values_.capacity() + originals_.capacity()) * sizeof(float) +
          (slotOf_.capacity() + builtBricks_.capacity() + originalOf_.capacity()) *

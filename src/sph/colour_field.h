@@ -111,6 +111,8 @@ class ColourField {
   bool edited(std::int64_t brick) const {
     return !originalOf_.empty() && originalOf_[brick] != kUnedited;
   }
+  // edited() of the brick or of a brick above it, whose nodes the brick's upper cells use too.
+  bool cellsEdited(std::int64_t brick) const;
   // The results that nodes() and node() had when the field was built, before any edit.
   const float* originalNodes(const Vec3i& brick) const {
     const std::int64_t b = brickIndex(brick);

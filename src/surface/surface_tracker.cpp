@@ -67,6 +67,17 @@ void SurfaceTracker::update(const ColourField& field, std::span<const std::int64
   remesh(field, withWound_, &wound);
 }
 
+void SurfaceTracker::updateRestored(const ColourField& field, std::span<const std::int64_t> touched,
+                                    const Wound* wound) {
+  withWound_.assign(touched.begin(), touched.end());
+  for (std::int64_t b = 0; b < field.brickCount(); ++b)
+    if (meshOf(b).wound != kNone || (wound && wound->severed.near(b))) withWound_.push_back(b);
+  std::sort(withWound_.begin(), withWound_.end());
+  withWound_.erase(std::unique(withWound_.begin(), withWound_.end()), withWound_.end());
+  changes_.everything = false;
+  remesh(field, withWound_, wound);
+}
+
 void SurfaceTracker::takeWound(BrickMesh& mesh) {
   if (mesh.wound != kNone) return;
   if (freeWounds_.empty()) {
@@ -77,6 +88,12 @@ void SurfaceTracker::takeWound(BrickMesh& mesh) {
     freeWounds_.pop_back();
     wounds_[std::size_t(mesh.wound)] = {};
   }
+}
+
+void SurfaceTracker::dropWound(BrickMesh& mesh) {
+  if (mesh.wound == kNone) return;
+  freeWounds_.push_back(mesh.wound);
+  mesh.wound = kNone;
 }
 
 void SurfaceTracker::takeRecord(std::int64_t brick) {
@@ -100,7 +117,7 @@ void SurfaceTracker::dropRecord(std::int64_t brick) {
     triangleSpace_.release(mesh.firstTriangle, mesh.triangles);
     triangleCount_ -= mesh.triangles;
   }
-  if (mesh.wound != kNone) freeWounds_.push_back(mesh.wound);
+  dropWound(mesh);
   freeRecords_.push_back(recordOf_[brick]);
 }
 
@@ -154,7 +171,8 @@ void SurfaceTracker::findInside(const ColourField& field, std::span<const std::i
     BrickMesh& mesh = meshOf(b);
     renumbered_[i] |= mesh.signs.inside != newInside_[i];
     mesh.signs.inside = newInside_[i];
-    if (cut) takeWound(mesh);
+    renumbered_[i] |= !cut && mesh.wound != kNone;
+    cut ? takeWound(mesh) : dropWound(mesh);
   }
 }
 

@@ -47,10 +47,14 @@ class SurfaceTracker {
   // Meshes some bricks again. touched: the bricks that field.update() returned.
   void update(const ColourField& field, std::span<const std::int64_t> touched);
   // As above, for an organ with incisions. severed: the bricks that wound.severed.update()
-  // returned. After a wound was given, every later call of update() and setIso() must be given a
-  // wound too.
+  // returned. After a wound was given, every later call must be given it too, unless a state was
+  // restored.
   void update(const ColourField& field, std::span<const std::int64_t> touched, const Wound& wound,
               std::span<const TouchedBrick> severed);
+  // As above, after a state was restored: every brick near the wound, and near the wound that the
+  // surface showed before, is meshed again. wound: null if the organ has no incisions now.
+  void updateRestored(const ColourField& field, std::span<const std::int64_t> touched,
+                      const Wound* wound);
   // Sets another iso level and meshes everything again.
   void setIso(const ColourField& field, float iso, const Wound* wound = nullptr);
   float iso() const { return iso_; }
@@ -209,6 +213,7 @@ class SurfaceTracker {
 
   void takeRecord(std::int64_t brick);
   void takeWound(BrickMesh& mesh);
+  void dropWound(BrickMesh& mesh);
   bool looksFar(std::int64_t brick) const {
     const std::int32_t wound = meshOf(brick).wound;
     return wound == kNone || wounds_[std::size_t(wound)].looksFar;

@@ -19,7 +19,7 @@ class BrickCutter {
         brick_(brick),
         window_(field, wound.severed, brick, iso),
         out_(out),
-        edited_(field.edited(field.brickIndex(brick))),
+        edited_(field.cellsEdited(field.brickIndex(brick))),
         binder_(window_.grid, field.lattice(), field.refine(), wound.particles) {
     faceAt_.fill(-1);
   }
@@ -255,6 +255,7 @@ class BrickCutter {
   void addOnSkin(const Vec3& p, const Vec3i& n, NearbyNodes anchors) {
     Vec3f slope = Vec3f::Zero();
     float before = 0;
+    bool changed = false;
     const Vec3i low = inWindow(n);
     const Vec3 place = p - low.cast<double>();
     for (int c = 0; c < 8; ++c) {
@@ -264,13 +265,16 @@ class BrickCutter {
       const int i = grid().index(at);
       slope += float(weight) * Vec3f(growth(i, 0), growth(i, 1), growth(i, 2));
       const Vec3i node = grid().first + at;
-      if (edited_ && (node.array() < field_.nodeDims().array()).all())
-        before += float(weight) * field_.originalNode(node);
+      if (edited_ && (node.array() < field_.nodeDims().array()).all()) {
+        const float original = field_.originalNode(node);
+        changed = changed || original != window_.value[std::size_t(i)];
+        before += float(weight) * original;
+      }
     }
     slope = slope.cwiseQuotient(field_.lattice().spacing.cast<float>());
     const float length = slope.norm();
     constexpr float kBare = 0.02f;  // from this share on, former tissue is seen and not skin
-    const float cut = edited_ ? cutShare(before, grid().iso) : 0.f;
+    const float cut = changed ? cutShare(before, grid().iso) : 0.f;
     add(p, length > 0 ? Vec3f(slope / -length) : Vec3f(0, 1, 0), cut < kBare ? kRimShare : cut, n,
         anchors);
   }

@@ -1,6 +1,7 @@
 """The environments: Gymnasium's interface, goals that can be reached, many at once."""
 import csv
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -154,12 +155,42 @@ class Many(unittest.TestCase):
         self.assertGreater(float(row["steps_per_s"]), 0)
         self.assertGreater(float(row["share_that_cuts"]), 0.2)
 
+    def test_a_reset_costs_less_than_a_step(self):
+        done = subprocess.run([sys.executable, "-m", "resect.bench", "--resets", "--particles", "1000"], check=True,
+                              capture_output=True, text=True, timeout=200)
+        times = [float(t) for t in re.findall(r"([\d.]+) ms", done.stdout)]
+        print(done.stdout, end="")
+        self.assertEqual(len(times), 4)
+        self.assertLess(max(times), 20)  # 2 on a machine that does nothing else
+
     def test_a_wrong_setting_is_one_sentence(self):
         with self.assertRaisesRegex(resect.Error, "plain or liver"):
             envs.VectorEnv(lambda: envs.Reach(tissue="wood"), 2)
-        for wrong in ({"observation": "smell"}, {"actions": "all"}, {"particles": 3}, {"render_mode": "human"}):
-            with self.assertRaises(resect.Error):
+        for wrong in ({"observation": "smell"}, {"actions": "all"}, {"particles": 3}, {"particles": "many"},
+                      {"render_mode": "human"}, {"max_steps": 0}, {"max_steps": 2.5}, {"young": "soft"}):
+            with self.subTest(wrong), self.assertRaises(resect.Error):
                 envs.Reach(**wrong)
+
+    def test_a_wrong_call_is_one_sentence(self):
+        env = envs.Reach(particles=300)
+        with self.assertRaisesRegex(resect.Error, "no episode has begun"):
+            env.step(np.zeros(8))
+        for seed in (-1, "first", 1.5):
+            with self.subTest(seed), self.assertRaisesRegex(resect.Error, "seed is"):
+                env.reset(seed=seed)
+        env.reset(seed=2**60 + 1)
+        for action in (["left"] * 8, np.zeros(7), None):
+            with self.subTest(action), self.assertRaisesRegex(resect.Error, "8 finite numbers"):
+                env.step(action)
+        for backend in ("processes", "threads", "here"):
+            many = envs.VectorEnv(lambda: envs.Reach(particles=300), 2, backend)
+            with self.assertRaisesRegex(resect.Error, "3 seeds were given for 2"):
+                many.reset(seed=[1, 2, 3])
+            with self.assertRaisesRegex(resect.Error, "array of numbers"):
+                many.step([["up"] * 8] * 2)
+            many.close()
+            with self.assertRaisesRegex(resect.Error, "were closed"):
+                many.step(np.zeros((2, 8)))
 
 
 if __name__ == "__main__":

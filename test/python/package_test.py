@@ -148,7 +148,7 @@ class Simulations(unittest.TestCase):
         for cell in (-1, 10**9):
             with self.assertRaisesRegex(resect.Error, f"an edit is of cell {cell}"):
                 simulation.step(edits=[resect.Edit.remove(cell)])
-        with self.assertRaisesRegex(resect.Error, "there is no organ 3"):
+        with self.assertRaisesRegex(resect.Error, "an edit is for organ 3"):
             simulation.step(edits=[resect.Edit.remove(0, organ=3)])
         self.assertEqual(simulation.state_hash, before)
 

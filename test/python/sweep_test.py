@@ -1,5 +1,6 @@
 """Sweeps: rows from a file, tables that do not depend on who runs them, what is left after a kill."""
 import csv
+import importlib.util
 import os
 import pathlib
 import signal
@@ -125,6 +126,10 @@ class Tables(unittest.TestCase):
         self.assertEqual(sweep("six.toml", "-o", "parts.csv", "--collect").returncode, 0)
         self.assertEqual(one, rows("parts.csv"))
         self.assertFalse([p for p in os.listdir() if "partial" in p or "part-" in p or p.endswith(".tmp")])
+        first = pathlib.Path("one.csv").read_text()
+        again = sweep("six.toml", "-o", "one.csv")
+        self.assertIn("6 of 6 operations are in", again.stderr)
+        self.assertEqual(first, pathlib.Path("one.csv").read_text())  # the time each took is there too: none ran again
 
         done = sweep("six.toml", "-o", "one.csv", "--verify", "2")
         self.assertEqual((done.returncode, done.stdout), (0, "verified 2 of 6 operations, bit for bit\n"))
@@ -190,16 +195,17 @@ class Tables(unittest.TestCase):
                     self.assertEqual(result, after[row])  # its time too: it was not run again
                 self.assertFalse(partial.exists())
 
-    def test_a_process_that_is_lost_loses_nothing(self):
-        name = write("lost.toml", "[random]\ncount = 14\n\"tissue.young\" = [2000, 9000]\n", 2.0)
-        process = subprocess.Popen([sys.executable, "-m", "resect.sweep", name, "--workers", "2"],
+    def with_a_kill(self, table, count, after, *how):
+        """Runs a sweep of `count` operations in which one process or worker is killed after `after` results."""
+        name = write("lost.toml", f"[random]\ncount = {count}\n\"tissue.young\" = [2000, 9000]\n", 2.0)
+        process = subprocess.Popen([sys.executable, "-m", "resect.sweep", name, "-o", table, "--workers", "2", *how],
                                    stderr=subprocess.DEVNULL)
-        killed = False
-        end = time.monotonic() + 120
+        killed, journal = False, pathlib.Path(table.replace(".csv", ".partial.csv"))
+        end = time.monotonic() + 120 + count
         while process.poll() is None and time.monotonic() < end:
-            journal = pathlib.Path("lost.partial.csv")
-            if not killed and journal.exists() and journal.read_text().count("\n") > 2:
-                for child in pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split():
+            if not killed and journal.exists() and journal.read_text().count("\n") > after:
+                tasks = pathlib.Path(f"/proc/{process.pid}/task").iterdir()  # any thread may have started it
+                for child in [c for task in tasks for c in (task / "children").read_text().split()]:
                     if "spawn_main" in pathlib.Path(f"/proc/{child}/cmdline").read_text():
                         os.kill(int(child), signal.SIGKILL)
                         killed = True
@@ -207,8 +213,27 @@ class Tables(unittest.TestCase):
             time.sleep(0.02)
         self.assertTrue(killed)
         self.assertEqual(process.wait(60), 0)
+        return name
+
+    def test_a_process_that_is_lost_loses_nothing(self):
+        name = self.with_a_kill("lost.csv", 14, 2)
         sweep(name, "-o", "kept.csv", "--workers", "1")
         self.assertEqual(rows("lost.csv"), rows("kept.csv"))
+
+    def test_a_dask_worker_that_is_lost_loses_nothing(self):
+        if importlib.util.find_spec("distributed") is None:
+            self.skipTest("Dask is not installed")
+        long = os.environ.get("RESECT_LONG_TESTS")
+        count, after, verified = (1000, 300, 20) if long else (14, 4, 3)
+        name = self.with_a_kill("dask.csv", count, after, "--dask", "local")
+        table = rows("dask.csv")
+        self.assertEqual([int(r["row"]) for r in table], list(range(count)))
+        self.assertFalse([r for r in table if r["error"]])
+        done = sweep(name, "-o", "dask.csv", "--verify", verified)
+        self.assertEqual(done.stdout, f"verified {verified} of {count} operations, bit for bit\n")
+        subprocess.run([sys.executable, "-m", "resect.sweep", name, "-o", "kept.csv", "--workers", "2", "--quiet"],
+                       check=True)
+        self.assertEqual(table, rows("kept.csv"))
 
     def test_a_slurm_script_runs_each_part(self):
         write("six.toml", SIX)

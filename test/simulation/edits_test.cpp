@@ -1,10 +1,12 @@
 // The logged edits of a run, applied without its instruments, have the same effect.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
 #include <limits>
 
+#include "base/error.h"
 #include "geometry/topology.h"
 #include "organ/parts/bodies.h"
 #include "simulation/simulation.h"
@@ -184,10 +186,19 @@ TEST_CASE("edits are done with no tool at all, on tissue that moves and that doe
     CHECK(report.removed == 0);
     CHECK(bodies(simulation.organ()).size() == 3);
 
-    input.edits = {{0, -1, RemoveCell{cell(6, 0, 0)}}, {0, -1, RemoveCell{-1}}};
+    input.edits = {{0, -1, RemoveCell{cell(6, 0, 0)}}};  // gone already
     report = simulation.step(input);
     CHECK(report.removed == 0);
     CHECK(report.severed == 0);
+    for (const std::int64_t none : {std::int64_t(-1), lattice.cellCount()}) {
+      input.edits = {{0, -1, RemoveCell{cell(1, 1, 1)}}, {0, -1, SeverBond{none, 3}}};
+      const std::uint64_t before = simulation.stateHash();
+      CHECK_THROWS_WITH_AS(
+          simulation.step(input),
+          fmt::format("an edit is of cell {}; give 0 to {}", none, lattice.cellCount() - 1).c_str(),
+          Error);
+      CHECK(simulation.stateHash() == before);
+    }
   }
 }
 

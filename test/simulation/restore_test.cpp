@@ -133,6 +133,49 @@ TEST_CASE("a restore takes back a cut: the surface is that of before, bit for bi
   CHECK(simulation.stateHash() == whole.stateHash());
 }
 
+TEST_CASE("leaps between states, cut and dissolved, give the surface of each bit for bit") {
+  std::vector<std::unique_ptr<Tool>> tools;
+  tools.push_back(test::thinScalpel());
+  tools.push_back(test::ballTool(0.01));
+  Simulation simulation = test::elasticBlock({10, 5, 8}, 0.008, std::move(tools));
+  simulation.keepLook();
+  struct Moment {
+    Bytes saved;
+    std::uint64_t hash;
+    SurfaceTracker::Compact surface;
+  };
+  std::vector<Moment> moments;
+  const auto same = [](const SurfaceTracker::Compact& a, const SurfaceTracker::Compact& b) {
+    return a.mesh.points == b.mesh.points && a.normals == b.normals && a.cut == b.cut;
+  };
+  Random random(5);
+  FrameInput input;
+  input.tools.assign(2, {{Vec3(0, 1, 0), Eigen::Quaterniond::Identity()}, false});
+  for (int k = 0; k < 12; ++k) {
+    moments.push_back({simulation.save(), simulation.stateHash(), simulation.surface()});
+    // In turn a cut and a hole, at random places.
+    const Vec3 at(random.uniform(0.01, 0.07), 0.05, random.uniform(0, 0.06));
+    input.iso = k == 7 ? 40.f : 50.f;
+    ToolInput& tool = input.tools[std::size_t(k % 2)];
+    tool.inHand = true;
+    for (int frame = 0; frame < 10; ++frame) {
+      tool.pose.position = at - Vec3(0, 0.002 * frame, 0);
+      simulation.step(input);
+    }
+    tool.inHand = false;
+  }
+  const Organ& organ = simulation.organ();
+  CHECK(organ.removed > 20);
+  CHECK(organ.severed.count() > 100);
+  for (int leap = 0; leap < 80; ++leap) {
+    const Moment& to = moments[std::size_t(random.below(int(moments.size())))];
+    simulation.restore(to.saved);
+    REQUIRE(simulation.stateHash() == to.hash);
+    REQUIRE(same(simulation.surface(), to.surface));
+    if (leap % 3 == 0) simulation.step(input);
+  }
+}
+
 TEST_CASE("what is made from a restored state is what it was made from while it came about") {
   Simulation simulation = cutBlock();
   Simulation fresh = test::elasticBlock({10, 5, 8}, 0.008, test::ballTool(0.01));

@@ -6,7 +6,7 @@ import numpy as np
 
 import resect
 from resect.envs import turns
-from resect.envs.scene import DECISION, scene_text
+from resect.envs.scene import DECISION, scene_text, whole_number
 from resect.envs.spaces import Box, Dict, Env
 
 #: Observations that may be asked for, alone or together.
@@ -56,7 +56,7 @@ class OperationEnv(Env):
             if name not in OBSERVATIONS:
                 raise resect.Error(f"there is no observation \"{name}\"; use {', '.join(OBSERVATIONS)}")
         self._single = isinstance(observation, str)
-        self.max_steps, self.picture = int(max_steps), tuple(picture)
+        self.max_steps, self.picture = whole_number(max_steps, "max_steps", 1, 10**9), tuple(picture)
         self.simulation = resect.Simulation(resect.Scenario.parse(
             scene_text(self.title, self.tools, particles, tissue, young, self.labels), type(self).__name__))
         self.organ = self.simulation.organ()
@@ -68,7 +68,7 @@ class OperationEnv(Env):
         low, high = self.organ.at([0, 0, 0]), self.organ.at([1, 1, 1])
         self._low, self._high = low - [0.06, 0.0, 0.06], high + [0.06, 0.12, 0.06]
         self._shown = np.random.default_rng(0).permutation(self.organ.cells())[:256]
-        self._camera = None
+        self._camera, self._tops = None, None
         self.prepare()
         self._start = self.simulation.save()
         self._per_tool = len(ACTION) if actions == "full" else 3
@@ -76,7 +76,7 @@ class OperationEnv(Env):
         spaces = {name: self._space(name) for name in self.observation}
         self.observation_space = spaces[observation] if self._single else Dict(spaces)
         self._steps = 0
-        self._over = True
+        self._over, self._begun = True, False
 
     # What a task adds. ------------------------------------------------------------------------------------------------
 
@@ -102,20 +102,24 @@ class OperationEnv(Env):
     # Gymnasium's interface. -------------------------------------------------------------------------------------------
 
     def reset(self, *, seed=None, options=None):
-        super().reset(seed=seed)
+        super().reset(seed=None if seed is None else whole_number(seed, "seed", 0, 2**63))
         self.simulation.restore(self._start)
         poses = self.begin()
         self._rows[:, :7] = poses
         self._rows[:, 7:9] = 0
         self._rows[:, 9] = 1
         self.simulation.step(self._rows, 0.0)  # takes the instruments in hand; nothing moves
-        self._steps, self._over, self._report = 0, False, None
+        self._steps, self._over, self._begun, self._report = 0, False, True, None
         return self._observe(), self.info()
 
     def step(self, action):
         if self._over:
-            raise resect.Error("the episode is over; call reset() before step()")
-        action = np.asarray(action, np.float64)
+            raise resect.Error(f"{'the episode is over' if self._begun else 'no episode has begun'}; "
+                               "call reset() before step()")
+        try:
+            action = np.asarray(action, np.float64)
+        except (TypeError, ValueError):
+            action = np.empty(0)
         if action.shape != self.action_space.shape or not np.isfinite(action).all():
             raise resect.Error(f"an action is {self.action_space.shape[0]} finite numbers from -1 to 1")
         self._move(np.clip(action, -1, 1).reshape(len(self.tools), self._per_tool))
@@ -237,16 +241,17 @@ class OperationEnv(Env):
         return contact
 
     def surface_cell(self, x, z):
-        """The topmost particle near the fractions x and z of the organ's box, as a cell."""
-        alive = self.organ.alive
-        nz, ny, nx = alive.shape
-        top = np.where(alive.any(axis=1), ny - 1 - np.argmax(alive[:, ::-1, :], axis=1), -1)  # [nz, nx]
-        k, i = np.nonzero(top >= 0)
+        """The topmost particle of the whole organ near the fractions x and z of its box, as a cell."""
+        if self._tops is None:
+            whole = self.organ.alive  # as an episode begins
+            nz, ny, nx = whole.shape
+            k, i = np.nonzero(whole.any(axis=1))
+            top = ny - 1 - np.argmax(whole[:, ::-1, :], axis=1)[k, i]
+            spacing, origin = self.organ.spacing, self.organ.origin
+            self._tops = (k * ny + top) * nx + i, origin[0] + spacing * i, origin[2] + spacing * k
+        cells, across, along = self._tops
         at = self.organ.at([x, 0, z])
-        spacing, origin = self.organ.spacing, self.organ.origin
-        far = (origin[0] + spacing * i - at[0])**2 + (origin[2] + spacing * k - at[2])**2
-        best = int(np.argmin(far))
-        return int((k[best] * ny + top[k[best], i[best]]) * nx + i[best])
+        return int(cells[np.argmin((across - at[0])**2 + (along - at[2])**2)])
 
     def places(self, cells):
         """[n, 3] m: where the tops of these cells are now."""

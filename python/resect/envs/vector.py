@@ -14,6 +14,7 @@ import traceback
 import numpy as np
 
 import resect
+from resect.envs.scene import whole_number
 from resect.envs.spaces import Box, Dict
 
 
@@ -114,8 +115,7 @@ class VectorEnv:
     def __init__(self, make, count, backend="processes", context="fork"):
         if backend not in ("processes", "threads", "here"):
             raise resect.Error(f"backend is \"{backend}\"; use processes, threads or here")
-        if count < 1:
-            raise resect.Error(f"{count} environments were asked for; give 1 or more")
+        count = whole_number(count, "count", 1, 10_000)
         self.num_envs, self.backend = count, backend
         self._pipes, self._processes, self._envs = [], [], []
         self._pool = None
@@ -147,8 +147,12 @@ class VectorEnv:
 
     def reset(self, *, seed=None, options=None):
         """seed: a number, or a list with one per environment."""
-        seeds = seed if isinstance(seed, (list, tuple)) else [None if seed is None else seed + i
-                                                              for i in range(self.num_envs)]
+        if seed is None or isinstance(seed, (list, tuple)):
+            seeds = seed or [None] * self.num_envs
+        else:
+            seeds = [whole_number(seed, "seed", 0, 2**62) + i for i in range(self.num_envs)]
+        if len(seeds) != self.num_envs:
+            raise resect.Error(f"{len(seeds)} seeds were given for {self.num_envs} environments; give one for each")
         infos = self._all("reset", seeds)
         return self._shared.observation(), infos
 
@@ -158,7 +162,10 @@ class VectorEnv:
 
     def send(self, actions):
         """The first half of step(): what is done between send() and receive() is done while the environments work."""
-        actions = np.asarray(actions, np.float32)
+        try:
+            actions = np.asarray(actions, np.float32)
+        except (TypeError, ValueError):
+            raise resect.Error(f"actions must be an array of numbers {list(self._shared.actions.shape)}") from None
         if actions.shape != self._shared.actions.shape:
             raise resect.Error(f"actions must be an array {list(self._shared.actions.shape)}, not {list(actions.shape)}")
         if not np.isfinite(actions).all():
@@ -205,6 +212,8 @@ class VectorEnv:
         return self._end()
 
     def _begin(self, command, arguments):
+        if not (self._pipes or self._envs):
+            raise resect.Error("these environments were closed; make new ones")
         if self.backend == "processes":
             for pipe, argument in zip(self._pipes, arguments):
                 with contextlib.suppress(BrokenPipeError):  # _answer() says whose process has ended

@@ -47,10 +47,11 @@ def jobs_of(plan, numbers):
 
 def run(plan, given, output, journal_path, numbers, remove):
     """Runs those of the rows that the journal lacks; returns the exit status."""
-    journal = Journal(journal_path, plan)
+    where = journal_path if journal_path.exists() else output
+    journal = Journal(journal_path, plan, output)
     missing = [n for n in numbers if n not in journal.results]
     if len(missing) < len(numbers) and not given.quiet:
-        print(f"{len(numbers) - len(missing)} of {len(numbers)} operations are in {journal_path} already", file=sys.stderr)
+        print(f"{len(numbers) - len(missing)} of {len(numbers)} operations are in {where} already", file=sys.stderr)
     progress = Progress(len(numbers) - len(missing), len(numbers), given.quiet)
     jobs = jobs_of(plan, missing)
     if given.dask:

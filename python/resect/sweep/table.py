@@ -78,17 +78,19 @@ def read_table(path):
 class Journal:
     """Results in the order in which they come: a valid .csv at every moment.
 
-    Rows of an earlier, interrupted sweep are taken over if their setup is that of the plan.
+    Rows of an earlier sweep, interrupted or finished, are taken over if their setup is that of the plan. finished: path
+    of the table that a finished sweep left, or None.
     """
 
-    def __init__(self, path, plan):
+    def __init__(self, path, plan, finished=None):
         self.path, self._plan = pathlib.Path(path), plan
         self.results = {}
-        if self.path.exists():
-            for row in read_table(self.path):
-                result = self._own(row)
-                if result:
-                    self.results[result["row"]] = result
+        for earlier in (finished, self.path):
+            if earlier and earlier.suffix == ".csv" and earlier.exists():
+                for row in read_table(earlier):
+                    result = self._own(row)
+                    if result:
+                        self.results[result["row"]] = result
         self._names = None
         self._file = None
         if self.results:

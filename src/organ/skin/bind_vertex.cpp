@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <tuple>
 
 #include "tissue/stencil.h"
 
@@ -14,6 +15,7 @@ constexpr double kReach =
 struct Near {
   Vec3i cell;
   double squared;  // distance, cells^2
+  int number = 0;  // of those at one distance the lowest comes first
 };
 
 // The nearest particle among the cells from low + from to low + to.
@@ -40,20 +42,24 @@ VertexBinding bindVertex(const Vec3f& vertex, const Lattice& lattice, const Tiss
   if (!first) first = nearestParticle(at, -2, 3, lattice, tissue);
   if (!first) return {};
 
+  double reach = std::max(kReach * kReach, 2 * first->squared);
   std::array<Near, 1 + kDirections> near;
   std::size_t found = 0;
   near[found++] = *first;
   const std::uint32_t bonds = tissue.bonds(lattice.index(first->cell));
-  for (int d = 0; d < kDirections; ++d)
-    if (bonds >> d & 1) {
-      const Vec3i cell = first->cell + offsetOf(d);
-      near[found++] = {cell, (at - cell.cast<double>()).squaredNorm()};
-    }
-  std::stable_sort(near.begin() + 1, near.begin() + std::ptrdiff_t(found),
-                   [](const Near& a, const Near& b) { return a.squared < b.squared; });
+  for (int d = 0; d < kDirections; ++d) {
+    if (!(bonds >> d & 1)) continue;
+    const Vec3i cell = first->cell + offsetOf(d);
+    const double squared = (at - cell.cast<double>()).squaredNorm();
+    if (squared < reach) near[found++] = {cell, squared, d};
+  }
+  const std::size_t wanted = std::min<std::size_t>(found, VertexBinding::kMost + 1);
+  std::partial_sort(near.begin() + 1, near.begin() + std::ptrdiff_t(wanted),
+                    near.begin() + std::ptrdiff_t(found), [](const Near& a, const Near& b) {
+                      return std::tie(a.squared, a.number) < std::tie(b.squared, b.number);
+                    });
 
   // The first particle that is left out has no weight, so none jumps as the vertex's place changes.
-  double reach = std::max(kReach * kReach, 2 * first->squared);
   if (found > VertexBinding::kMost)
     reach = std::min(reach, near[std::size_t(VertexBinding::kMost)].squared);
   VertexBinding to;

@@ -40,15 +40,17 @@ void SurfaceSkin::setBinding(std::size_t v, const VertexBinding& followed,
   }
 }
 
-// Marks the entries of cells_ whose particles are gone or have lost or regained bonds.
-bool SurfaceSkin::markChanged(std::span<const std::int64_t> removed, const TissueModel& tissue) {
+// Marks the entries of cells_ whose particles are gone or came back, or have lost or regained
+// bonds.
+bool SurfaceSkin::markChanged(std::span<const std::int64_t> changedCells,
+                              const TissueModel& tissue) {
   changed_.assign(cells_.size(), 0);
   bool any = false;
   const auto mark = [&](std::size_t entry) {
     changed_[entry] = 1;
     any = true;
   };
-  for (const std::int64_t cell : removed)
+  for (const std::int64_t cell : changedCells)
     if (const std::int32_t entry = entryOfCell_[cell]; entry >= 0) mark(std::size_t(entry));
   for (std::size_t i = 0; i < bondsOfCell_.size(); ++i)
     if (const std::uint32_t bonds = tissue.bonds(cells_[i]); bonds != bondsOfCell_[i]) {
@@ -56,6 +58,15 @@ bool SurfaceSkin::markChanged(std::span<const std::int64_t> removed, const Tissu
       mark(i);
     }
   return any;
+}
+
+// Whether the nearest particle is so far away that one that comes back may be nearer, although it
+// shares no bond with it and its coming back does not touch the vertex's brick.
+bool SurfaceSkin::followsFar(const Vec3f& rest, const Binding& binding,
+                             const Lattice& lattice) const {
+  if (!(binding.weight[0] > 0)) return true;
+  const Vec3f& first = restOfCell_[std::size_t(binding.entry[0])];
+  return (rest - first).norm() > 0.9f * float(lattice.spacing.minCoeff());
 }
 
 // What lies outside a particle with few bonds would follow each error of its gradient: it gets the
@@ -134,6 +145,32 @@ void SurfaceSkin::turnNormals(const SurfaceTracker& surface) {
   });
 }
 
+// Marks in due_ the vertices that must be bound anew; false if there is none. before: how many
+// vertices were bound already.
+bool SurfaceSkin::findDue(const SurfaceTracker& surface, std::size_t before, const Lattice& lattice,
+                          const TissueModel& tissue, std::span<const std::int64_t> changedCells) {
+  const SurfaceTracker::Changes& changes = surface.changes();
+  const bool everything = changes.everything || before == 0;
+  const bool particlesChanged = markChanged(changedCells, tissue);
+  if (!everything && !particlesChanged && changedCells.empty() && changes.vertices.empty())
+    return false;
+  due_.assign(bindings_.size(), everything ? 1 : 0);
+  if (everything) return true;
+  // Only the bonds of the nearest particle matter, and all others of a binding are bonded to it.
+  const auto isChanged = [&](const Binding& binding) {
+    return binding.weight[0] > 0 && changed_[std::size_t(binding.entry[0])] != 0;
+  };
+  const bool cameBack =
+      std::ranges::any_of(changedCells, [&](std::int64_t cell) { return tissue.solid(cell); });
+  if (particlesChanged || cameBack)
+    for (std::size_t v = 0; v < before; ++v)
+      due_[v] = isChanged(bindings_[v]) ||
+                (cameBack && followsFar(surface.points()[v], bindings_[v], lattice));
+  for (const IndexRange& range : changes.vertices)
+    std::fill_n(due_.begin() + range.first, range.count, std::uint8_t(1));
+  return true;
+}
+
 void SurfaceSkin::follow(const SurfaceTracker& surface, const Lattice& lattice,
                          const TissueModel& tissue, std::span<const std::int64_t> changedCells,
                          bool withLook) {
@@ -143,33 +180,19 @@ void SurfaceSkin::follow(const SurfaceTracker& surface, const Lattice& lattice,
   bindings_.resize(rest.size());
   points_.resize(rest.size());
 
-  const auto bind = [&](std::size_t v) {
-    setBinding(v, bindVertex(rest[v], lattice, tissue), tissue);
-  };
-  const bool everything = surface.changes().everything || before == 0;
-  const bool particlesChanged = markChanged(changedCells, tissue);
-  const bool anew = everything || particlesChanged || !surface.changes().vertices.empty();
-  if (everything) {
-    for (std::size_t v = 0; v < rest.size(); ++v) bind(v);
-  } else {
-    if (particlesChanged) {
-      const auto isChanged = [&](const Binding& binding) {
-        for (std::size_t k = 0; k < 8 && binding.weight[k] > 0; ++k)
-          if (changed_[std::size_t(binding.entry[k])]) return true;
-        return false;
-      };
-      for (std::size_t v = 0; v < before; ++v)
-        if (isChanged(bindings_[v])) bind(v);
-    }
-    for (const IndexRange& range : surface.changes().vertices)
-      for (std::int32_t v = range.first; v < range.first + range.count; ++v) bind(std::size_t(v));
-  }
-  // Beside a wound the tracker's bindings name the particles on a vertex's side.
-  if (anew)
+  if (findDue(surface, before, lattice, tissue, changedCells)) {
+    // Beside a wound the tracker's bindings name the particles on a vertex's side.
     surface.visitBindings([&](std::int32_t first, std::span<const VertexBinding> bindings) {
-      for (std::size_t v = 0; v < bindings.size(); ++v)
-        if (bindings[v].count > 0) setBinding(std::size_t(first) + v, bindings[v], tissue);
+      for (std::size_t i = 0; i < bindings.size(); ++i) {
+        const std::size_t v = std::size_t(first) + i;
+        if (bindings[i].count == 0) continue;
+        setBinding(v, bindings[i], tissue);
+        due_[v] = 0;
+      }
     });
+    for (std::size_t v = 0; v < due_.size(); ++v)
+      if (due_[v]) setBinding(v, bindVertex(rest[v], lattice, tissue), tissue);
+  }
 
   findMotions(lattice, tissue);
   movePoints(rest);
@@ -182,7 +205,7 @@ std::size_t SurfaceSkin::bytes() const {
          bondsOfCell_.capacity() * sizeof(std::uint32_t) +
          (restOfCell_.capacity() + points_.capacity() + normals_.capacity()) * sizeof(Vec3f) +
          placements_.capacity() * sizeof(CellPlacement) +
-         motions_.capacity() * sizeof(ParticleMotion) + changed_.capacity();
+         motions_.capacity() * sizeof(ParticleMotion) + changed_.capacity() + due_.capacity();
 }
 
 }  // namespace resect

@@ -28,8 +28,9 @@ namespace resect {
 class SurfaceSkin {
  public:
   // Moves the vertices. Call after surface.update() and moveTissues() (tissue/move_tissues.h).
-  // changedCells: cells whose particles were removed since follow() was last called. withLook:
-  // whether to compute normals too; surface.updateLook() must then have been called before.
+  // changedCells: cells whose particles were removed since follow() was last called or, after a
+  // state was restored, came back. withLook: whether to compute normals too; surface.updateLook()
+  // must then have been called before.
   void follow(const SurfaceTracker& surface, const Lattice& lattice, const TissueModel& tissue,
               std::span<const std::int64_t> changedCells, bool withLook);
   // Computes normals for the positions that follow() computed last.
@@ -46,7 +47,10 @@ class SurfaceSkin {
     std::array<float, 8> weight{};        // 0: this entry and those after it are unused
   };
   void setBinding(std::size_t vertex, const VertexBinding& followed, const TissueModel& tissue);
-  bool markChanged(std::span<const std::int64_t> removed, const TissueModel& tissue);
+  bool markChanged(std::span<const std::int64_t> changedCells, const TissueModel& tissue);
+  bool findDue(const SurfaceTracker& surface, std::size_t before, const Lattice& lattice,
+               const TissueModel& tissue, std::span<const std::int64_t> changedCells);
+  bool followsFar(const Vec3f& rest, const Binding& binding, const Lattice& lattice) const;
   void findMotions(const Lattice& lattice, const TissueModel& tissue);
   ParticleMotion motionOf(const Binding& binding) const;
   void movePoints(std::span<const Vec3f> rest);
@@ -61,6 +65,7 @@ class SurfaceSkin {
   std::vector<ParticleMotion> motions_;
   std::vector<Vec3f> points_, normals_;
   std::vector<std::uint8_t> changed_;  // per entry of cells_: 1 where its particle changed
+  std::vector<std::uint8_t> due_;      // per vertex: 1 where it must be bound anew
 };
 
 }  // namespace resect

@@ -57,9 +57,9 @@ inline std::vector<PlainVertex> plainVertices(const ColourField& field, float is
                 -((1 - way) * plainSlope(field, low, a) + way * plainSlope(field, high, a)) /
                 grid.step[a];
           v.normal.normalize();
-          v.cut =
-              cutShare((1 - way) * field.originalNode(low) + way * field.originalNode(high), iso);
-          if (!field.edited(field.brickIndex(low / kBrickNodes))) v.cut = 0;
+          const float below = field.originalNode(low), above = field.originalNode(high);
+          const bool changed = below != before || above != after;
+          v.cut = changed ? cutShare((1 - way) * below + way * above, iso) : 0;
           vertices.push_back(v);
         }
   return vertices;
