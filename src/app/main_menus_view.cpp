@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QSettings>
 #include <QStatusBar>
 
 #include "app/language/language_menu.h"
@@ -126,15 +127,19 @@ void MainWindow::addLampMenu(QMenu* view) {
       {QT_TRANSLATE_NOOP("window", "At the patient's &left"), LampPlace::PatientsLeft},
       {QT_TRANSLATE_NOOP("window", "Over the &surgeon's shoulder"), LampPlace::Surgeon},
       {QT_TRANSLATE_NOOP("window", "Straight &above"), LampPlace::Above}};
+  static constexpr const char* kept = "lamp";  // setting: the place's number
+  const int before = QSettings().value(kept, 0).toInt();
   for (const auto& [name, place] : places) {
+    if (int(place) == before) lampPlace_ = place;
     QAction* action = menu->addAction(Words::tr(name));
     action->setCheckable(true);
-    action->setChecked(place == lampPlace_);
+    action->setChecked(int(place) == before);
     action->setToolTip(
         Words::tr("Moves the main lamp there; in a laparoscope's view it does not shine"));
     group->addAction(action);
     connect(action, &QAction::triggered, this, [this, place = place] {
       lampPlace_ = place;
+      QSettings().setValue(kept, int(place));
       if (session_) session_->moveLamp(place);
       if (options_.reports) say("lamp {}", int(place));
     });

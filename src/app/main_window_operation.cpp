@@ -155,6 +155,7 @@ bool MainWindow::begin(OrganLoader::Result result) {
     session->setBleedingMarks(marks_->isChecked());
     session->showScale(laboratoryChosen_.value_or(result.scenario.mode == OperationMode::Thesis));
     session->moveLamp(lampPlace_);
+    if (options_.reports) say("lamp {}", int(lampPlace_));
     session->look(RoomView::Surgeon, viewer_->aspect());
     if (places) {
       const int tools = std::min(int(places->tools.size()), session->tools().toolCount());

@@ -72,7 +72,7 @@ void OrganOptions::applyTo(OrganSource& source) const {
   if (!unit.empty()) source.unit = parseUnit(unit, "--unit");
   source.repair = source.repair || repair;
   for (const std::string& one : structures) addGiven(source, one);
-  if (isLabelled(source.file)) {
+  if (!isBuiltIn(source) && isLabelled(source.file)) {  // a folder may have the name too
     if (!unit.empty())
       throw usageError("{}: label images tell their size themselves; leave --unit out",
                        source.file);

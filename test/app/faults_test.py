@@ -98,6 +98,11 @@ class Faults(ScreenTest):
         window.wait("lamp 1", 20)
         time.sleep(2)
         self.assertNotEqual(self.screen.picture("lamp_left"), before)
+        window.quit()
+        window = self.opened("press", "--spacing", "12mm")
+        self.assertIn("lamp 1", window.said)  # it is where it was
+        self.screen.key("alt+v", "u", "r")
+        window.wait("lamp 0", 20)
 
     def test_the_size_is_what_it_says_and_no_text_is_cut(self):
         screen = Screen(FOLDER, 2732, 1536)

@@ -20,8 +20,8 @@ PROGRAM, FOLDER = sys.argv[1], Path(sys.argv[2])
 LIMIT = 300 * float(os.environ.get("RESECT_PATIENCE", 1))  # s for one run; a sanitized program is slower
 
 
-def resect(*args):
-    return subprocess.run([PROGRAM, *map(str, args)], capture_output=True, text=True, timeout=LIMIT)
+def resect(*args, **options):
+    return subprocess.run([PROGRAM, *map(str, args)], capture_output=True, text=True, timeout=LIMIT, **options)
 
 
 def run(scenario, *args):
@@ -356,6 +356,11 @@ class Complaints(unittest.TestCase):
             self.assertEqual(done.returncode, 1, args)
             self.assertIn("galbladder: there is no such file", done.stderr, args)
             self.assertIn("liver, gallbladder", done.stderr, args)
+
+    def test_a_folder_with_the_name_of_a_built_in_organ_is_not_taken_for_it(self):
+        (FOLDER / "named" / "gallbladder").mkdir(parents=True, exist_ok=True)
+        done = resect("discretize", "gallbladder", "--spacing", "4mm", "-o", "g.dis", cwd=FOLDER / "named")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     def test_an_instrument_from_outside_gives_pictures_or_one_sentence(self):
         """Coin alone ends in a segmentation fault on most of these."""

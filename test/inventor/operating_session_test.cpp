@@ -461,6 +461,31 @@ TEST_CASE("a scenario that is played in the window removes what it removes witho
   CHECK(session.state().removed == 0);
 }
 
+TEST_CASE("when a scenario has been played, a hook that holds tissue keeps it") {
+  Scenario scenario = readScenario(findDataFile("lift", "scenarios", ".toml"));
+  scenario.organs[0].source.spacing = 0.012;
+  scenario.duration = 3.6;  // the hook is up and holds the margin
+  const ModelReader reader = [](const std::filesystem::path& p, const std::string& parts) {
+    return readModel(p, parts);
+  };
+  auto simulation = std::make_unique<Simulation>(makeSimulation(scenario, reader));
+  const auto hook = std::size_t(1);
+  OperatingSession session(scenario, std::move(simulation), 1.6);
+  session.play(1e9);
+  while (session.playing()) {
+    session.operation().waitFor(session.state().frame + 1);
+    session.update();
+  }
+  session.operation().waitFor(session.state().frame + 60);
+  session.update();
+  CHECK(session.tools().isLeft(int(hook)));
+  CHECK_FALSE(session.tools().isLeft(0));
+  CHECK((session.tools().pose(int(hook)).position - scenario.tools[hook].keys[4].pose.position)
+            .norm() < 2e-3);
+  CHECK(session.state().inHand[hook] == 1);
+  CHECK(session.state().forces[hook] > 0.05);  // N: the margin hangs on it
+}
+
 TEST_CASE("a drag ends when its tool is put back by a key") {
   Bench bench;
   const SbVec2s at = bench.pixelOf(0);

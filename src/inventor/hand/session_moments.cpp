@@ -29,15 +29,21 @@ void OperatingSession::play(double until) {
 void OperatingSession::followMotion() {
   std::vector<ToolInput> inputs = state_.played;
   if (inputs.empty() && operation_.playing()) return;
-  if (inputs.empty()) {
-    // The motion is over, perhaps without its last frames having been seen here.
+  const bool over = inputs.empty();
+  if (over) {
+    // The last frames may not have been seen here.
     playing_ = false;
     played_ = playUntil_;
     if (played_ > 0) inputs = frameInput(scenario_, played_ - 1).tools;
-    if (played_ == frameCount(scenario_))
-      for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i].pose = scenario_.tools[i].rest;
   }
-  for (std::size_t i = 0; i < inputs.size(); ++i) room().setToolPose(int(i), inputs[i].pose);
+  // Guided tools in hand are left at work, so that a hook keeps what it holds as the motion ends.
+  std::vector<std::uint8_t> left(inputs.size());
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    left[i] = tools_.usual() == ToolHandling::Hold::Guided && inputs[i].inHand;
+    const bool rests = over && !left[i] && played_ == frameCount(scenario_);
+    room().setToolPose(int(i), rests ? scenario_.tools[i].rest : inputs[i].pose);
+  }
+  if (!inputs.empty()) tools_.setLeft(left);
   toolsChanged();
 }
 

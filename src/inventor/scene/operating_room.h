@@ -66,7 +66,7 @@ std::optional<RoomView> roomView(std::string_view name);
 // Screen colours (sRGB) of the liver's capsule and of the gallbladder. kCutColour is the colour of
 // cut tissue in pictures without shaders.
 inline const Vec3f kLiverColour{0.352f, 0.152f, 0.131f};
-inline const Vec3f kGallbladderColour{0.255f, 0.300f, 0.165f};
+inline const Vec3f kGallbladderColour{0.262f, 0.280f, 0.225f};
 inline const Vec3f kCutColour{0.52f, 0.13f, 0.11f};
 
 class OperatingRoom {

@@ -83,8 +83,10 @@ void OperatingRoom::look(RoomView view, const Aabb& box, double aspect) {
   if (box.empty()) return;
   const Direction from = direction(view);
   const double radius = std::max(0.5 * box.size().norm(), 1e-3);
-  // Only wide pictures have room for the tool box beside the organ.
-  const bool beside = toolbox_->getNumChildren() > 1;
+  // Only wide pictures have room for the tool box beside the organ, and only of an organ so large
+  // that the tool box, which stands where it stands, is in sight.
+  constexpr double kLarge = 0.08;  // m
+  const bool beside = toolbox_->getNumChildren() > 1 && radius > kLarge;
   const double aside = beside ? std::clamp(aspect - 1.0, 0.0, 0.8) : 0.0;
   // Fits the sphere round the box; Inventor's angle applies to the narrower side.
   place(view, box.centre() + aside * radius * from.aside,
