@@ -113,6 +113,7 @@ void OrganOptions::applyTo(Scenario& scenario, const std::string& organ) const {
   OrganSource& first = scenario.organs[0].source;
   const std::optional<double> before = first.spacing;
   if (!organ.empty()) {
+    if (first.file != organ) scenario.description.clear();  // it is of the scenario's own organ
     first.file = organ;
     first.structures.clear();    // they lie in the organ that is replaced
     scenario.closeUp.reset();    // of the scenario's own organ

@@ -324,6 +324,8 @@ void OperatingSession::look(RoomView view, double aspect) {
     room().look(view, organBox_, aspect);
   else if (scenario_.mode == OperationMode::Thesis || fieldArea_ <= 0)
     room().frame(view, allThereIs(towardsCamera(view)), aspect);
+  else if (!showsField(scenario_))
+    room().frame(view, organBox_, aspect);  // nothing lies round it: it is seen whole
   else
     room().closeUp(view, fieldMiddle_, fieldArea_, kShare, aspect);
   placeScale();
