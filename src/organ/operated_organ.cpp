@@ -30,7 +30,7 @@ OperatedOrgan operatedOrgan(std::string name, Organ organ, std::unique_ptr<Tissu
   return all;
 }
 
-void remake(OperatedOrgan& o, bool keepsLook) {
+void remake(OperatedOrgan& o, bool keepsLook, bool anew) {
   Organ& organ = o.organ;
   checkRestored(organ);
   organ.heat.requireSound();
@@ -45,7 +45,8 @@ void remake(OperatedOrgan& o, bool keepsLook) {
     setParticle(organ, cell, there);
     changed.push_back(cell);
   }
-  updateRestoredSurface(organ, updateField(organ));
+  const std::span<const std::int64_t> touched = updateField(organ);
+  anew ? setIso(organ, organ.iso) : updateRestoredSurface(organ, touched);
   if (keepsLook) organ.surface.updateLook(organ.field);
   if (o.tissue->moves())
     o.skin.follow(organ.surface, organ.rest.lattice, *o.tissue, changed, keepsLook);

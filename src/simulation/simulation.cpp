@@ -72,6 +72,7 @@ void Simulation::step(const FrameInput& input, StepReport& report, StageClock* c
   };
   requireSound(input);
   if (clock) clock->start();
+  halfDone_ = true;
 
   moveTools(input, report);
   done("moveTools");
@@ -95,6 +96,7 @@ void Simulation::step(const FrameInput& input, StepReport& report, StageClock* c
   done("flowBlood");
   measure(input, report);
   done("measure");
+  halfDone_ = false;
 }
 
 void Simulation::requireSound(const FrameInput& input) const {

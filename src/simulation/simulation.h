@@ -202,7 +202,7 @@ class Simulation {
   }
   template <class Visitor>
   void visitMade(Visitor& v) {
-    v.made(table_, keepsLook_, shapes_, surroundings_, standingShapes_, joined_, work_);
+    v.made(table_, keepsLook_, halfDone_, shapes_, surroundings_, standingShapes_, joined_, work_);
     v.made(breathing_);
     if (!(breathing_.depth > 0)) v.made(breath_);
   }
@@ -257,6 +257,7 @@ class Simulation {
 
   // Set up once, or derived from the state.
   bool table_, keepsLook_ = false;
+  bool halfDone_ = false;  // a step or a restore was begun and not ended: it was stopped
   Breathing breathing_;
   std::vector<std::unique_ptr<SignedDistance>> shapes_;  // per tool; empty if no tissue moves
   Surroundings surroundings_;

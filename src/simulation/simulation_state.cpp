@@ -1,5 +1,6 @@
 // Saving, restoring and comparing the state of a simulation.
 #include <algorithm>
+#include <utility>
 
 #include "base/error.h"
 #include "base/state/state_hash.h"
@@ -38,6 +39,8 @@ void Simulation::restore(std::span<const std::byte> bytes) {
 }
 
 void Simulation::load(const SavedState& state) {
+  // What was left half done, a step or a restore, is made anew; else only what differs.
+  const bool anew = std::exchange(halfDone_, true);
   for (OperatedOrgan& o : organs_) o.tissue->beginRestore();
   loadState(*this, state);
   for (const TissueJoint& joint : joints_) requireSound(joint);
@@ -48,8 +51,9 @@ void Simulation::load(const SavedState& state) {
                     tool.tool->model.name);
   if (!(breath_.phase >= 0 && breath_.phase < 1))
     throw error("the state is at {} of a breath; give a share from 0 to below 1", breath_.phase);
-  for (OperatedOrgan& o : organs_) remake(o, keepsLook_);
+  for (OperatedOrgan& o : organs_) remake(o, keepsLook_, anew);
   blood_.remake(organs_);
+  halfDone_ = false;
 }
 
 std::uint64_t Simulation::stateHash() const {

@@ -250,9 +250,10 @@ std::int32_t ColourField::takeSlot() {
 }
 
 std::span<const std::int64_t> ColourField::update() {
-  touched_.swap(pending_);
-  pending_.clear();
-  std::sort(touched_.begin(), touched_.end());
+  // Kept until all are evaluated: the evaluation can be stopped (base/stop.h).
+  std::sort(pending_.begin(), pending_.end());
+  pending_.erase(std::unique(pending_.begin(), pending_.end()), pending_.end());
+  touched_ = pending_;
   if (originalOf_.empty() && !touched_.empty()) {
     originalOf_.assign(slotOf_.size(), kUnedited);
     builtBricks_ = RawArray<std::int32_t>();
@@ -283,6 +284,7 @@ std::span<const std::int64_t> ColourField::update() {
         evaluate(brick(b), planes, values_.data() + firstNode(slotOf_[b]));
     }
   });
+  pending_.clear();
   return touched_;
 }
 

@@ -2,10 +2,14 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <atomic>
 #include <chrono>
+#include <thread>
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/progress.h"
+#include "base/stop.h"
 #include "io/data_folder.h"
 #include "io/operation_setup.h"
 #include "io/plain_mesh.h"
@@ -174,6 +178,57 @@ TEST_CASE("leaps between states, cut and dissolved, give the surface of each bit
     REQUIRE(same(simulation.surface(), to.surface));
     if (leap % 3 == 0) simulation.step(input);
   }
+}
+
+TEST_CASE("leaps between states of a segment that is parted, with other iso levels between") {
+  Scenario scenario = shipped("resect-segment-elastic");
+  setSpacing(scenario, scenario.organs[0].source.spacing.value_or(0.01), 0.013);
+  Simulation simulation = simulationOf(scenario), other = simulationOf(scenario);
+  struct Moment {
+    Bytes saved;
+    std::uint64_t hash;
+  };
+  std::vector<Moment> moments;
+  Random random(9);
+  for (std::int64_t frame = 0; frame < 400; ++frame) {
+    if (frame % 8 == 0) moments.push_back({simulation.save(), simulation.stateHash()});
+    FrameInput input = frameInput(scenario, frame);
+    if (random.below(40) == 0) input.iso = float(random.uniform(40, 60));
+    simulation.step(input);
+  }
+  CHECK(simulation.organ().severed.count() > 100);
+  int stopped = 0;
+  for (int leap = 0; leap < 300; ++leap) {
+    const int to = random.below(int(moments.size()));
+    simulation.restore(moments[std::size_t(to)].saved);
+    CAPTURE(leap);
+    CAPTURE(to);
+    REQUIRE(simulation.stateHash() == moments[std::size_t(to)].hash);
+    if (leap % 2 == 0) {  // a step that is stopped somewhere leaves nothing behind
+      std::atomic<bool> stop = false;
+      std::thread stopper([&, after = random.below(4000)] {
+        std::this_thread::sleep_for(std::chrono::microseconds(after));
+        stop = true;
+      });
+      try {
+        const StopBy by(stop);
+        for (int k = 1; k < 20; ++k) step(simulation, scenario, 8 * to + k);
+      } catch (const Cancelled&) {
+        ++stopped;
+      }
+      stopper.join();
+      simulation.restore(moments[std::size_t(to)].saved);
+      REQUIRE(simulation.stateHash() == moments[std::size_t(to)].hash);
+    }
+    for (int k = random.below(4); k > 0; --k) {
+      FrameInput input = frameInput(scenario, 8 * to + k);
+      if (random.below(3) == 0) input.iso = float(random.uniform(40, 60));
+      simulation.step(input);
+    }
+    other.restore(simulation.save());
+    REQUIRE(other.stateHash() == simulation.stateHash());
+  }
+  CHECK(stopped > 20);
 }
 
 TEST_CASE("what is made from a restored state is what it was made from while it came about") {

@@ -319,13 +319,14 @@ void OperatingSession::follow(const ViewMotion& motion) {
 }
 
 void OperatingSession::look(RoomView view, double aspect) {
-  constexpr double kShare = 0.5;  // of the picture
+  constexpr double kShare = 0.5;   // of the picture
+  constexpr double kSmall = 0.08;  // m: radius of an organ that is seen whole
   if (view != RoomView::Surgeon)
     room().look(view, organBox_, aspect);
   else if (scenario_.mode == OperationMode::Thesis || fieldArea_ <= 0)
     room().frame(view, allThereIs(towardsCamera(view)), aspect);
-  else if (!showsField(scenario_))
-    room().frame(view, organBox_, aspect);  // nothing lies round it: it is seen whole
+  else if (!showsField(scenario_) && 0.5 * organBox_.size().norm() < kSmall)
+    room().frame(view, organBox_, aspect);
   else
     room().closeUp(view, fieldMiddle_, fieldArea_, kShare, aspect);
   placeScale();
