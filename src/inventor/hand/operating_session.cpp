@@ -319,8 +319,7 @@ void OperatingSession::follow(const ViewMotion& motion) {
 }
 
 void OperatingSession::look(RoomView view, double aspect) {
-  constexpr double kShare = 0.5;   // of the picture
-  constexpr double kSmall = 0.08;  // m: radius of an organ that is seen whole
+  constexpr double kShare = 0.5, kSmall = 0.08;  // of the picture; m: an organ that is seen whole
   if (view != RoomView::Surgeon)
     room().look(view, organBox_, aspect);
   else if (scenario_.mode == OperationMode::Thesis || fieldArea_ <= 0)
