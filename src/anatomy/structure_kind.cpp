@@ -57,7 +57,7 @@ std::string_view wordOf(StructureKind kind) {
 
 std::string structureWords() {
   std::string words;
-  for (int k = 0; k < kStructureKinds; ++k)
+  for (int k = int(StructureKind::Parenchyma) + 1; k < kStructureKinds; ++k)
     words.append(words.empty() ? "" : ", ").append(wordOf(StructureKind(k)));
   return words;
 }

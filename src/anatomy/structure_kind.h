@@ -26,7 +26,7 @@ inline constexpr int kStructureKinds = 9;
 // The name of a kind in files, such as "tumour" or "portal-vein". A kind of vessel has the name of
 // its VesselKind.
 std::string_view wordOf(StructureKind kind);
-// All names, as "parenchyma, tumour, ...", for messages.
+// The names of what can lie in an organ (all but "parenchyma"), for messages: "tumour, cyst, ...".
 std::string structureWords();
 
 // The kind that a name stands for. The name must begin with the name of a kind, or with a usual

@@ -156,6 +156,8 @@ TEST_CASE("structures that cannot be used are refused in a sentence") {
   refused("[[organ.structure]]\nkind = \"portal-vein\"\nfile = \"vein.stl\"\nunit = \"mm\"\n",
           "check its unit");
   refused("[[organ.structure]]\nkind = \"spleen\"\nfile = \"tumour.stl\"\n", "portal-vein");
+  refused("[[organ.structure]]\nkind = \"parenchyma\"\nfile = \"tumour.stl\"\n",
+          "use one of tumour, cyst");
   refused("[[organ.structure]]\nkind = \"portal-vein\"\n", "file");
   refused("[[organ.structure]]\nkind = \"tumour\"\n", "centre and radius");
   refused("[[organ.tumour]]\ncentre = [0, 0.04, 0]\nradius = 0.01\nkind = \"cyst\"\n", "kind");
