@@ -133,7 +133,7 @@ class Scan(unittest.TestCase):
         about = json.loads(resect("info", self.labels, "--json").stdout)
         self.assertEqual([(one["value"], one["name"]) for one in about["labels"]], [(1, ""), (2, ""), (3, "")])
         self.assertIn("choose the organ", about["refusal"])
-        for wrong, what in ((["--structure", "kidney=2"], "kinds are parenchyma"),
+        for wrong, what in ((["--structure", "kidney=2"], "kinds are tumour"),
                             (["--structure", "tumour=9"], "has no label '9'; it has: 1, 2, 3"),
                             (["--unit", "mm"], "leave --unit out")):
             done = resect("organ", self.labels, "--label", "1", *wrong, "-o", FOLDER / "no.resect-cells")
