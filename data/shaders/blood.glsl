@@ -46,13 +46,16 @@ vec2 bloodAt(vec3 rest, float rough, vec3 n) {
   thick.x *= mix(1.0, smoothstep(-0.75, 0.45, stream) * 1.5, thin);
   // Between cells thickness falls off in straight lines; a border that starts where the noise has it hides them.
   vec2 least = vec2(0.018 + 0.12 * smoothstep(-0.5, 0.9, rough));
-  return thick * smoothstep(least, least + 0.04, thick);
+  // It thins out towards the border, so that the surface under it is seen there.
+  vec2 above = max(thick - 0.85 * least, 0.0);
+  return above * smoothstep(0.0, 0.05, above);
 }
 
 // What is seen of a surface of this colour under blood: liquid absorbs green and blue within a twentieth
-// of a millimetre, red within a seventh of one; behind that is the blood's own dark red.
+// of a millimetre, red within a seventh of one; behind that is the blood's own red, the darker the deeper it is.
 vec3 underBlood(vec3 colour, vec2 thick) {
   vec3 through = exp(-thick.x * vec3(7.0, 18.0, 20.0) - thick.y * vec3(8.0, 20.0, 22.0));
-  vec3 own = mix(vec3(0.040, 0.0016, 0.0020), vec3(0.018, 0.0014, 0.0014), thick.y / (thick.x + thick.y + 1e-4));
+  vec3 fresh = mix(vec3(0.042, 0.0018, 0.0022), vec3(0.017, 0.0008, 0.0011), smoothstep(0.12, 1.1, thick.x));
+  vec3 own = mix(fresh, vec3(0.016, 0.0014, 0.0014), thick.y / (thick.x + thick.y + 1e-4));
   return colour * through + own * (1.0 - through);
 }

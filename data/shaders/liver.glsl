@@ -44,11 +44,11 @@ vec3 withCurves(vec3 inside, Patterns at, vec3 p) {
 }
 
 vec3 parenchymaColour(Patterns at, vec4 grain, vec3 p) {
-  vec3 inside = vec3(0.112, 0.0265, 0.0195) * (1.0 + 0.10 * at.broad.x + 0.10 * at.middle.x);
+  vec3 inside = vec3(0.088, 0.0215, 0.0160) * (1.0 + 0.10 * at.broad.x + 0.10 * at.middle.x);
   // Lobules: paler centres in a darker net, about 1.5 mm.
   float lobule = at.fine.x + 0.5 * grain.x;
-  inside = mix(inside, vec3(0.180, 0.050, 0.034), 0.50 * smoothstep(0.0, 0.6, lobule));
-  inside = mix(inside, vec3(0.075, 0.009, 0.008), 0.55 * smoothstep(0.1, 0.6, -lobule));
+  inside = mix(inside, vec3(0.150, 0.042, 0.029), 0.50 * smoothstep(0.0, 0.6, lobule));
+  inside = mix(inside, vec3(0.058, 0.0075, 0.0068), 0.55 * smoothstep(0.1, 0.6, -lobule));
   return vesselBin > 0.0 ? inside : withCurves(inside, at, p);
 }
 
@@ -105,19 +105,24 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base, vec3 n) {
     t.albedo = mix(t.albedo, vec3(0.22, 0.115, 0.085), 0.5 * (1.0 - border) * below);
   }
 #endif
-  t.albedo = mix(t.albedo, vec3(0.25, 0.120, 0.090), 0.36 * pale);
+  t.albedo = mix(t.albedo, vec3(0.21, 0.098, 0.074), 0.36 * pale);
   t.albedo = mix(t.albedo, vec3(0.030, 0.0025, 0.003), 0.9 * max(-share, 0.0));  // blood in a rim
 #ifndef PLAIN
   vec2 heat = heatAt(p);
   if (heat.x > 0.0) {
-    // Coagulated tissue is dull and grey-tan, brown at its edge; then black.
-    float rough = 0.5 * at.middle.x + 0.5 * at.fine.x;
-    float tan_ = smoothstep(0.25, 0.90, heat.x + 0.30 * rough), edge = smoothstep(0.02, 0.4, heat.x) * (1.0 - tan_);
-    t.albedo = mix(t.albedo, vec3(0.105, 0.048, 0.034), 0.7 * edge);
-    t.albedo = mix(t.albedo, vec3(0.165, 0.105, 0.072) * (1.0 + 0.35 * rough), 0.85 * tan_);
-    t.albedo = mix(t.albedo, vec3(0.018, 0.013, 0.011), smoothstep(0.15, 0.7, heat.y + 0.25 * rough));
-    t.wet *= 1.0 - 0.75 * tan_;
-    t.bumps += 0.04 * tan_ * at.fine.yzw;
+    // Coagulated tissue is matt and pale grey-tan, blanched at its edge; its crust is brown in spots; then
+    // it is black. The borders are soft, and follow the noise.
+    float rough = 0.6 * at.middle.x + 0.5 * at.fine.x;
+    float tan_ = smoothstep(0.12, 0.70, heat.x + 0.28 * rough), edge = smoothstep(0.0, 0.30, heat.x + 0.10 * rough) * (1.0 - tan_);
+    float crust = smoothstep(0.55, 0.95, heat.x) * smoothstep(0.05, 0.45, at.middle.x - 0.6 * at.fine.x);
+    float char_ = smoothstep(0.04, 0.45, heat.y * (1.0 + 0.6 * rough));
+    t.albedo = mix(t.albedo, vec3(0.090, 0.046, 0.033), 0.75 * edge);
+    t.albedo = mix(t.albedo, vec3(0.092, 0.083, 0.074) * (1.0 + 0.30 * rough), 0.96 * tan_);
+    t.albedo = mix(t.albedo, vec3(0.048, 0.026, 0.016) * (1.0 + 0.4 * at.fine.x), 0.85 * crust);
+    t.albedo = mix(t.albedo, mix(vec3(0.045, 0.024, 0.015), vec3(0.012, 0.010, 0.009), char_), char_);
+    t.wet *= 1.0 - 0.9 * tan_;
+    t.lost += 0.10 * tan_;
+    t.bumps += (0.05 * tan_ + 0.05 * char_) * at.fine.yzw + 0.03 * tan_ * at.middle.yzw;
   }
   vec2 blood = bloodAt(p, at.middle.x + 0.5 * at.fine.x, n);
   blood *= 1.0 - 0.85 * smoothstep(0.3, 0.9, heat.x + 0.2 * at.middle.x + 0.15 * at.fine.x);  // boiled away

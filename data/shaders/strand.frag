@@ -1,27 +1,75 @@
-// Bare vessels: walls under a film of fluid, smeared with blood in places.
+// Bare vessels: thin wet walls through which their content shines, with remnants of tissue and smears
+// of blood on them; cut ends with their lumen; brown and shrivelled where heat has sealed them.
 varying vec3 eyePosition;
-varying vec3 objectPosition;
+varying vec3 objectPosition;  // at rest
 varying vec3 objectNormal;
-varying vec3 baseColor;
+varying float cutShare;       // kind and look, see operation/blood/vessel_walls.h
 
-const float kBend = 300.0;  // 1/m: of a thin vessel
+const float kBend = 420.0;  // 1/m: of a thin vessel
+
+// The wall itself, where it lies double at the rims of the tube.
+vec3 strandWall(float kind) {
+  if (kind < 0.5) return vec3(0.156, 0.110, 0.120);  // portal vein
+  if (kind < 1.5) return vec3(0.090, 0.051, 0.066);  // hepatic vein
+  if (kind < 2.5) return vec3(0.235, 0.128, 0.098);  // artery
+  return vec3(0.156, 0.146, 0.056);                  // bile duct
+}
+
+// What shines through it: blood of the veins, which looks blue under a wall, or bile.
+vec3 strandContent(float kind) {
+  if (kind < 0.5) return vec3(0.044, 0.029, 0.052);
+  if (kind < 1.5) return vec3(0.022, 0.009, 0.022);
+  if (kind < 2.5) return vec3(0.120, 0.034, 0.028);
+  return vec3(0.060, 0.072, 0.014);
+}
 
 void main() {
   vec3 n0 = normalize(objectNormal);
   if (dot(gl_NormalMatrix * n0, eyePosition) > 0.0) n0 = -n0;
   vec3 p = objectPosition;
-  vec4 smear = noise(p * 330.0), fine = noise(p.zxy * 1100.0);
+  float wide = widest(p);
+  float kind = floor((cutShare + 0.01) / 4.0), look = cutShare - 4.0 * kind;
+  vec4 broad = noise(p.yzx * 130.0 + 3.0), smear = noise(p * 330.0), fine = noise(p.zxy * 1100.0);
+  fine *= finer(1100.0 * wide);
+
   Tissue t;
-  t.albedo = fromScreen(baseColor) * (1.0 + 0.10 * smear.x + 0.08 * fine.x);
-  float blood = smoothstep(-0.25, 0.45, smear.x + 0.35 * fine.x);
-  t.albedo = mix(t.albedo, vec3(0.085, 0.0055, 0.0050), 0.75 * blood);
-  t.bumps = 0.020 * fine.yzw;
-  t.waves = 0.050 * smear.yzw;
-  t.wet = 0.55 + 0.35 * blood;
-  t.lost = 0.06;
+  t.lost = 0.05;
   t.cut = 0.0;
-  vec3 point = pointToWorld(eyePosition);
-  Surroundings around = surroundings(eyePosition, point);
-  around.open = max(around.open, 0.30);  // vessels are bared in wounds, as in liver()
+  // The more slanting the sight, the more of the wall and the less of its content is seen.
+  float facing = max(dot(normalize(gl_NormalMatrix * n0), -normalize(eyePosition)), 0.0);
+  float thick = kind < 1.5 ? (kind < 0.5 ? 0.62 : 0.26) : 1.3;
+  thick *= 1.0 + 0.55 * broad.x + 0.35 * smear.x;
+  float wall = 1.0 - exp(-thick / (0.18 + facing));
+  t.albedo = mix(strandContent(kind), strandWall(kind) * (1.0 + 0.16 * smear.x + 0.10 * fine.x), wall);
+  // Shreds of the sheath, pale; then crumbs of liver that stuck to it; then thin blood.
+  float sheath = smoothstep(0.0, 0.8, broad.x - 0.3 * smear.x + 0.2 * fine.x);
+  t.albedo = mix(t.albedo, vec3(0.165, 0.100, 0.080), (kind > 0.5 && kind < 1.5 ? 0.12 : 0.30) * sheath);
+  float crumb = smoothstep(0.28, 0.50, smear.x + 0.45 * fine.x - 0.35 * broad.x);
+  t.albedo = mix(t.albedo, vec3(0.074, 0.018, 0.014) * (1.0 + 0.4 * fine.x), 0.85 * crumb);
+  float blood = 0.12 + 0.88 * smoothstep(-0.15, 0.75, 0.6 * smear.x - 0.8 * broad.x + 0.30 * fine.x);
+  t.albedo *= exp(-blood * (1.0 - crumb) * vec3(0.45, 2.3, 2.3));
+  t.bumps = 0.030 * smear.yzw + 0.022 * fine.yzw + 0.05 * crumb * fine.yzw;
+  t.waves = 0.045 * smear.yzw + 0.012 * fine.yzw;
+  t.wet = 0.95 - 0.45 * crumb;
+
+  float burnt = look < 1.5 ? look : 0.0;
+  if (burnt > 0.0) {
+    float rough = 0.5 * smear.x + 0.4 * fine.x, tan_ = smoothstep(0.10, 0.65, burnt + 0.25 * rough);
+    vec3 dry = mix(vec3(0.135, 0.082, 0.052), vec3(0.030, 0.018, 0.013), smoothstep(0.45, 1.15, burnt + 0.5 * rough));
+    t.albedo = mix(t.albedo, dry * (1.0 + 0.3 * fine.x), tan_);
+    t.wet *= 1.0 - 0.8 * tan_;
+    t.bumps += tan_ * (0.05 * smear.yzw + 0.04 * fine.yzw);
+  }
+  float open = 0.30;  // at least: vessels are bared in wounds, as in liver()
+  if (look > 1.5) {
+    float deep = smoothstep(0.02, 0.55, look - 2.0);
+    vec3 rim = mix(strandWall(kind), vec3(0.17, 0.085, 0.07), 0.5) * (0.8 + 0.2 * fine.x);
+    vec3 inside = kind < 2.5 ? vec3(0.040, 0.0022, 0.0030) : vec3(0.055, 0.048, 0.008);
+    t.albedo = mix(rim, inside, deep);
+    t.wet = 0.45 + 0.4 * deep;
+    open *= 1.0 - 0.8 * deep;
+  }
+  Surroundings around = surroundings(eyePosition, pointToWorld(eyePosition));
+  around.open = look > 1.5 ? min(around.open, max(open, 0.1)) : max(around.open, open);
   gl_FragColor = vec4(wetTissue(t, n0, kBend, around, eyePosition), 1.0);
 }

@@ -73,6 +73,7 @@ PictureWriter::~PictureWriter() = default;
 
 void PictureWriter::follow(const Simulation& simulation, const StepReport& step) {
   state_->operation.follow(simulation);
+  state_->operation.followSmoke(step);
   // Picture k is due in the first frame that ends at k / rate or later.
   const double before = double(step.frame) / state_->frameRate,
                now = double(step.frame + 1) / state_->frameRate;

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "inventor/blood/SoBloodPool.h"
+#include "inventor/blood/SoSmoke.h"
 #include "inventor/gl/SoMarchingCubes.h"
 #include "inventor/gl/SoOrganShape.h"
 #include "inventor/gl/SoShadeOnce.h"
@@ -26,6 +27,7 @@ void initInventor() {
   SoShadowMaps::initClass();
   SoShadeOnce::initClass();
   SoBloodPool::initClass();
+  SoSmoke::initClass();
 }
 
 }  // namespace resect

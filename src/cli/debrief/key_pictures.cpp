@@ -84,8 +84,9 @@ KeyMoments keyMoments(const std::filesystem::path& recording,
   const Simulation& now = replay.simulation();
   playMoments(
       replay, {part, 0}, false, [](const Simulation&) {}, progress,
-      [&](const StepReport&) {
+      [&](const StepReport& step) {
         view.follow(now);
+        view.followSmoke(step);
         const auto at = byFrame.find(now.frame());
         const bool moves = clip && clip->wants(now.frame());
         if (at == byFrame.end() && !moves) return;

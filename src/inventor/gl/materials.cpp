@@ -40,7 +40,7 @@ Stages stages(RoomMaterial material) {
     case RoomMaterial::Steel:
       return {"surface.vert", {"light.glsl", "noise.glsl", "steel.frag"}};
     case RoomMaterial::Strand:
-      return {"surface.vert", {"light.glsl", "noise.glsl", "wet.glsl", "strand.frag"}};
+      return {"organ.vert", {"light.glsl", "noise.glsl", "wet.glsl", "strand.frag"}};
     case RoomMaterial::Cloth:
       return {"surface.vert", {"light.glsl", "noise.glsl", "cloth.frag"}};
     case RoomMaterial::Skin:
@@ -55,6 +55,8 @@ Stages stages(RoomMaterial material) {
       return {"room.vert", {"light.glsl", "noise.glsl", "room.frag"}};
     case RoomMaterial::Drop:
       return {"drop.vert", {"drop.frag"}};
+    case RoomMaterial::Smoke:
+      return {"smoke.vert", {"light.glsl", "noise.glsl", "smoke.frag"}};
     case RoomMaterial::Scope:
       return {"scope.vert", {"scope.frag"}};
   }

@@ -17,7 +17,7 @@ enum class RoomMaterial {
   Liver,   // wet capsule and cut parenchyma, for SoOrganShape
   Gather,  // stores for each pixel the inputs of Liver's shading; for SoShadeOnce
   Steel,   // instruments; looks like plastic where the specular colour is dark
-  Strand,  // bare vessels: wet walls, smeared with blood
+  Strand,  // walls of bare vessels, for an SoOrganShape with the looks of vessel_walls.h
   Cloth,   // the drape on the table, and the drapes of the operative field
   // Still tissue of the operative field. Gut is the material of stomach and bowel.
   Skin,
@@ -26,6 +26,7 @@ enum class RoomMaterial {
   Gut,
   Room,   // the background, on a quad behind everything
   Drop,   // drops of blood, on points
+  Smoke,  // smoke, for SoSmoke
   Scope,  // the black mask round a laparoscope's picture, on a quad in front of everything
 };
 

@@ -245,8 +245,7 @@ Damage OperatingSession::update() {
   std::vector<SurfaceUpdate> updates;
   if (operation_.take(updates, state_)) {
     view_.follow(updates);
-    followLooseBlood();
-    followBareVessels();
+    followBlood();
     showBleeding();
     showGuide();
     Aabb changed;

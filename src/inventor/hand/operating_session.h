@@ -139,6 +139,8 @@ class OperatingSession {
   void followHand();
   void followLooseBlood();
   void followBareVessels();
+  void followSmoke();
+  void followBlood();
   void showBleeding();
   void showGuide();
   void followMotion();
@@ -175,6 +177,7 @@ class OperatingSession {
   std::vector<std::vector<Aabb>> shownSlices_;
   std::shared_ptr<const LooseBlood> loose_;  // blood that was drawn last
   std::shared_ptr<const BareVessels> bare_;  // vessels that were drawn last
+  Aabb smokeBox_;                            // round the smoke that was drawn last
   Aabb markerBox_;          // box of the marker at the tip that was shown last; world, m
   std::int64_t asked_ = 0;  // number of the last request to the operation
   // goOn() was called, and the operation still shows a moment.

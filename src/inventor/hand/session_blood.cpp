@@ -45,20 +45,36 @@ void OperatingSession::followLooseBlood() {
 // Draws bare vessels and clips anew if they have changed visibly.
 void OperatingSession::followBareVessels() {
   constexpr double kSeen = 0.2e-3;  // m
-  const auto same = [](const TriangleMesh& a, const TriangleMesh& b) {
-    return std::ranges::equal(a.points, b.points, [](const Vec3& p, const Vec3& q) {
-      return (p - q).squaredNorm() < kSeen * kSeen;
-    });
+  const auto same = [](const auto& a, const auto& b) {
+    return std::ranges::equal(
+        a, b, [](const auto& p, const auto& q) { return (p - q).squaredNorm() < kSeen * kSeen; });
   };
   const BareVessels *now = state_.bare.get(), *before = bare_.get();
   if (!now && !before) return;
-  if (now && before && std::ranges::equal(now->tubes, before->tubes, same) &&
-      same(now->sealed, before->sealed) && same(now->clips, before->clips))
+  if (now && before && same(now->walls.points, before->walls.points) &&
+      now->walls.cut == before->walls.cut && same(now->clips.points, before->clips.points))
     return;
   for (const BareVessels* vessels : {before, now})
     if (vessels && !vessels->box.empty()) damage_.boxes.push_back(vessels->box);
   bare_ = state_.bare;
   room().setBareVessels(bare_.get());
+}
+
+// Draws the smoke, and what was behind it. In thesis mode there is no smoke.
+void OperatingSession::followSmoke() {
+  if (scenario_.mode == OperationMode::Thesis) return;
+  std::vector<SmokeBall> balls = smokeBalls(state_.smoke, state_.time);
+  const Aabb now = smokeBox(balls), before = std::exchange(smokeBox_, now);
+  for (const Aabb& box : {before, now})
+    if (!box.empty()) damage_.boxes.push_back(box);
+  room().setSmoke(std::move(balls));
+}
+
+// Shows what there is of blood, bare vessels and smoke besides the organs.
+void OperatingSession::followBlood() {
+  followLooseBlood();
+  followBareVessels();
+  followSmoke();
 }
 
 // Marks what bleeds for an instrument that can stop it, and guides the hand there.

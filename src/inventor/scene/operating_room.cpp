@@ -28,6 +28,7 @@
 #include "geometry/normals.h"
 #include "geometry/topology.h"
 #include "inventor/blood/SoBloodPool.h"
+#include "inventor/blood/SoSmoke.h"
 #include "inventor/gl/SoOrganShape.h"
 #include "inventor/gl/SoShadeOnce.h"
 #include "inventor/gl/SoShadowMaps.h"
@@ -159,11 +160,14 @@ OperatingRoom::OperatingRoom() {
   steel_->ref();
   root_->addChild(withMaterial(RoomMaterial::Steel, {toolbox_}));
   root_->addChild(tools_);
-  bare_ = uncachedSeparator();
+  bare_ = new SoOrganShape;
   clips_ = uncachedSeparator();
+  auto* closed = new SoShapeHints;
+  closed->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;
+  closed->shapeType = SoShapeHints::SOLID;
   auto* notPickedEither = new SoPickStyle;
   notPickedEither->style = SoPickStyle::UNPICKABLE;
-  root_->addChild(withMaterial(RoomMaterial::Strand, {notPickedEither, bare_}));
+  root_->addChild(withMaterial(RoomMaterial::Strand, {notPickedEither, closed, bare_}));
   root_->addChild(withMaterial(RoomMaterial::Steel, {notPickedEither, clips_}));
   root_->addChild(pool_ = new SoBloodPool);
   root_->addChild(withMaterial(RoomMaterial::Cloth, {table_}));
@@ -178,6 +182,8 @@ OperatingRoom::OperatingRoom() {
   notPicked->style = SoPickStyle::UNPICKABLE;
   room->insertChild(notPicked, 0);
   root_->addChild(room);
+  // Mixed with what is behind it.
+  root_->addChild(withMaterial(RoomMaterial::Smoke, {smoke_ = new SoSmoke}));
   aids_ = uncachedSeparator();
   auto* flatColours = new SoLightModel;
   flatColours->model = SoLightModel::BASE_COLOR;

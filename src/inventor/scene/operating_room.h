@@ -5,16 +5,18 @@
 //     Separator { liver, SoTransform, Separator { colour, SoShadeOnce { SoOrganShape } } ... }
 //     Separator { steel, SoTransform, toolbox }
 //     Separator { Separator { SoTransform, SoSwitch { blood, steel, tool } } ... }
-//     Separator { steel, bare vessels }
+//     Separator { strand, bare vessels }
+//     Separator { steel, clips }
 //     BloodPool
 //     Separator { cloth, table }
 //     Separator { SoTransform, Separator { cloth, drape } Separator { fat, ... } ... }
 //     Separator { drop, drops of blood }
 //     Separator { room, background }
+//     Separator { smoke, SoSmoke }
 //     Separator { aids }
 //     Switch { scope, mask }
 //
-// Here liver, steel, cloth, fat, drop, room and scope are shader programs
+// Here liver, steel, strand, cloth, fat, drop, room, smoke and scope are shader programs
 // (inventor/gl/materials.h). Coordinates are in the world, m. Y is up, and the table's top is at
 // y = 0. The surgeon stands at +Z.
 #pragma once
@@ -47,8 +49,10 @@ namespace resect {
 class SoBloodPool;
 class SoOrganShape;
 class SoShadowMaps;
+class SoSmoke;
 struct BareVessels;
 struct LooseBlood;
+struct SmokeBall;
 
 enum class RoomView { Surgeon, Assistant, Top, Laparoscope };
 
@@ -130,6 +134,8 @@ class OperatingRoom {
   void setLooseBlood(const LooseBlood* blood);
   // Shows the bare vessels. If `vessels` is null, no bare vessels are shown.
   void setBareVessels(const BareVessels* vessels);
+  // Shows smoke: the balls that smokeBalls() makes. It casts no shadow.
+  void setSmoke(std::vector<SmokeBall> smoke);
   void setOrganColour(const Vec3f& colour);  // sets the colour of the first organ
   void setOrganPose(const Pose& pose);       // sets the pose of all organs and tissues
 
@@ -209,7 +215,9 @@ class OperatingRoom {
   SoSeparator* field_;
   // The opened abdominal wall, and the abdominal wall as a laparoscope sees it.
   SoSwitch *fieldWall_, *fieldDome_;
-  SoSeparator *bare_, *clips_;
+  SoOrganShape* bare_;
+  SoSeparator* clips_;
+  SoSmoke* smoke_;
   SoBloodPool* pool_;
   SoCoordinate3* drops_;
   SoSeparator* toolbox_;

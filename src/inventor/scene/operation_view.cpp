@@ -35,7 +35,9 @@ Vec3f organColour(const OrganSource& organ) {
 }
 
 OperationView::OperationView(const Scenario& scenario, Simulation& simulation, double aspect)
-    : table_(scenario.table), toolBox_(scenario.toolBox) {
+    : smokes_(scenario.mode != OperationMode::Thesis),
+      table_(scenario.table),
+      toolBox_(scenario.toolBox) {
   const auto view = roomView(scenario.view);
   if (!view)
     throw usageError("there is no view \"{}\"; use surgeon, assistant, top or laparoscope",
@@ -86,6 +88,14 @@ void OperationView::follow(const Simulation& simulation) {
   follow(updates);
   room_.setLooseBlood(looseBlood(simulation.blood()).get());
   room_.setBareVessels(bareVessels(simulation).get());
+}
+
+void OperationView::followSmoke(const StepReport& step) {
+  if (!smokes_) return;
+  const double duration = step.time - smokeTime_;
+  smokeTime_ = step.time;
+  resect::followSmoke(smoke_, step.smoke, step.time, duration);
+  room_.setSmoke(smokeBalls(smoke_, step.time));
 }
 
 void OperationView::follow(std::span<const SurfaceUpdate> updates) {

@@ -7,6 +7,7 @@
 #include "inventor/scene/operating_room.h"
 #include "operation/live/surface_publisher.h"
 #include "operation/scenario.h"
+#include "operation/smoke/smoke_plume.h"
 #include "simulation/simulation.h"
 #include "surface/surface_update.h"
 
@@ -33,6 +34,9 @@ class OperationView {
   // Call this after every step. It moves the tools, applies the changes of all organs' surfaces,
   // and shows blood and bare vessels as they are now.
   void follow(const Simulation& simulation);
+  // Call this after every step, too. It shows the smoke of the step and of those before it. In
+  // thesis mode there is no smoke.
+  void followSmoke(const StepReport& step);
   // For an operation that runs in another thread. Applies the changes of the organs' surfaces, and
   // does nothing else. updates: one update per organ.
   void follow(std::span<const SurfaceUpdate> updates);
@@ -51,7 +55,10 @@ class OperationView {
   std::vector<double> bloody_;  // for each tool: distance from its tip that blood covers, m
   Aabb organs_;                 // box of the organs at rest; world, m
   std::vector<Pose> rests_;     // rest poses of the tools
-  bool table_, toolBox_;        // whether the scenario has a table and a tool box
+  bool smokes_;                 // whether smoke is shown
+  SmokePlume smoke_;
+  double smokeTime_ = 0;  // simulated time of smoke_, s
+  bool table_, toolBox_;  // whether the scenario has a table and a tool box
   // One publisher per organ of the simulation. These publishers publish every motion, even the
   // smallest.
   std::vector<SurfacePublisher> publishers_;

@@ -1,16 +1,23 @@
-// Blood that is on no organ, and bare vessels, in the room.
+// Blood that is on no organ, bare vessels, clips and smoke, in the room.
 #include <Inventor/nodes/SoCoordinate3.h>
 #include <Inventor/nodes/SoSeparator.h>
 
-#include <array>
+#include <utility>
 
 #include "inventor/blood/SoBloodPool.h"
+#include "inventor/blood/SoSmoke.h"
+#include "inventor/gl/SoOrganShape.h"
 #include "inventor/scene/model_nodes.h"
 #include "inventor/scene/operating_room.h"
 #include "operation/blood/bare_vessels.h"
 #include "operation/blood/loose_blood.h"
 
 namespace resect {
+namespace {
+
+const Finish kTitanium{Vec3f(0.40f, 0.40f, 0.41f), Vec3f(0.50f, 0.50f, 0.52f), 0.35f};
+
+}  // namespace
 
 void OperatingRoom::setLooseBlood(const LooseBlood* blood) {
   pool_->set(blood ? blood->pool : std::vector<std::uint8_t>());
@@ -22,26 +29,22 @@ void OperatingRoom::setLooseBlood(const LooseBlood* blood) {
 }
 
 void OperatingRoom::setBareVessels(const BareVessels* vessels) {
-  bare_->removeAllChildren();
+  static const BareVessels kNone;
+  const BareVessels& shown = vessels ? *vessels : kNone;
+  const SurfaceCopy& walls = shown.walls;
+  if (!walls.triangles.empty() || bare_->triangleCount() > 0)
+    bare_->update(
+        wholeSurface(walls.points, walls.normals, walls.cut, walls.triangles, walls.rest));
   clips_->removeAllChildren();
-  if (!vessels) return;
-  const auto add = [](SoGroup* to, const TriangleMesh& mesh, const Finish& finish) {
-    if (mesh.triangles.empty()) return;
-    DrawnPart part;
-    part.mesh = mesh;
-    part.finish = finish;
-    part.closed = true;
-    to->addChild(makePart(part));
-  };
-  // Colours as on a screen: portal vein in its sheath, hepatic vein, artery, bile duct.
-  const std::array<Vec3f, kVesselKinds> kColours = {
-      Vec3f(0.70f, 0.47f, 0.42f), Vec3f(0.45f, 0.24f, 0.30f), Vec3f(0.76f, 0.45f, 0.38f),
-      Vec3f(0.58f, 0.54f, 0.28f)};
-  for (std::size_t kind = 0; kind < kColours.size(); ++kind)
-    add(bare_, vessels->tubes[kind], {.diffuse = kColours[kind]});
-  add(bare_, vessels->mouths, {.diffuse = Vec3f(0.13f, 0.02f, 0.02f)});
-  add(bare_, vessels->sealed, {.diffuse = Vec3f(0.42f, 0.33f, 0.26f)});
-  add(clips_, vessels->clips, {});
+  if (shown.clips.triangles.empty()) return;
+  DrawnPart part;
+  part.mesh = shown.clips;
+  part.normals = shown.clipNormals;
+  part.finish = kTitanium;
+  part.closed = true;
+  clips_->addChild(makePart(part));
 }
+
+void OperatingRoom::setSmoke(std::vector<SmokeBall> smoke) { smoke_->set(std::move(smoke)); }
 
 }  // namespace resect

@@ -2,89 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "base/elementary.h"
+#include "operation/blood/vessel_walls.h"
 #include "organ/picture/picture_vessels.h"
 #include "tools/rest_place.h"
 
 namespace resect {
 namespace {
 
-constexpr int kSides = 10;
 constexpr double kRetracts = 1.0e-3;  // m: how far the ends of a divided vessel draw back
-constexpr double kClipWidth = 0.8e-3, kClipOver = 1.2e-3;  // m: along the vessel; beyond its wall
-constexpr double kMouth = 0.006;  // m: a clip is seen if the vessel's end is this near to it
+constexpr double kMouth = 0.006;      // m: a clip is seen if the vessel's end is this near to it
 
-// Appends a closed prism of these half widths, m, round the way from a to b.
-void addPrism(TriangleMesh& mesh, const Vec3& a, const Vec3& b, const Vec3& u, const Vec3& v,
-              int sides) {
-  const auto first = std::int32_t(mesh.points.size());
-  for (const Vec3& end : {a, b})
-    for (int i = 0; i < sides; ++i) {
-      const double angle = 2 * std::numbers::pi * (i + 0.5) / sides;
-      mesh.points.push_back(end + math::cos(angle) * u + math::sin(angle) * v);
-    }
-  for (int i = 0; i < sides; ++i) {
-    const std::int32_t here = first + i, next = first + (i + 1) % sides;
-    mesh.triangles.push_back({here, next, here + sides});
-    mesh.triangles.push_back({next, next + sides, here + sides});
-  }
-  for (int i = 2; i < sides; ++i) {
-    mesh.triangles.push_back({first, first + i, first + i - 1});
-    mesh.triangles.push_back({first + sides, first + sides + i - 1, first + sides + i});
-  }
-}
-
-// The axes at right angles to a way, right-handed with it.
-std::pair<Vec3, Vec3> across(const Vec3& way) {
-  const Vec3 along = way.normalized(), u = along.unitOrthogonal();
-  return {u, along.cross(u)};
-}
-
-// Appends a closed tube from a to b. Its ends are half balls, so that the pieces of a vessel join
-// smoothly; if cutA or cutB, this end is flat.
-void addTube(TriangleMesh& mesh, const Vec3& a, const Vec3& b, double radius, bool cutA = false,
-             bool cutB = false) {
-  if ((b - a).norm() < 1e-5) return;
-  const Vec3 along = (b - a).normalized();
-  const auto [u, v] = across(b - a);
-  const auto first = std::int32_t(mesh.points.size());
-  const auto addRing = [&](const Vec3& centre, double r) {
-    for (int i = 0; i < kSides; ++i) {
-      const double angle = 2 * std::numbers::pi * (i + 0.5) / kSides;
-      mesh.points.push_back(centre + r * (math::cos(angle) * u + math::sin(angle) * v));
-    }
-  };
-  // Rings of an end, from the equator to near the pole: distance from the end and radius, as shares
-  // of the tube's radius.
-  constexpr double kEnd[][2] = {{0, 1}, {0.5, 0.866}, {0.866, 0.5}};
-  const int ringsA = cutA ? 1 : int(std::size(kEnd)), ringsB = cutB ? 1 : int(std::size(kEnd));
-  for (int k = ringsA; k-- > 0;) addRing(a - kEnd[k][0] * radius * along, kEnd[k][1] * radius);
-  for (int k = 0; k < ringsB; ++k) addRing(b + kEnd[k][0] * radius * along, kEnd[k][1] * radius);
-  const int rings = ringsA + ringsB;
-  const auto poleA = std::int32_t(mesh.points.size()), poleB = poleA + 1;
-  mesh.points.push_back(cutA ? a : Vec3(a - radius * along));
-  mesh.points.push_back(cutB ? b : Vec3(b + radius * along));
-  for (int i = 0; i < kSides; ++i) {
-    const int next = (i + 1) % kSides;
-    mesh.triangles.push_back({poleA, first + next, first + i});
-    for (int k = 0; k + 1 < rings; ++k) {
-      const std::int32_t low = first + k * kSides, high = low + kSides;
-      mesh.triangles.push_back({low + i, low + next, high + i});
-      mesh.triangles.push_back({low + next, high + next, high + i});
-    }
-    const std::int32_t last = first + (rings - 1) * kSides;
-    mesh.triangles.push_back({poleB, last + i, last + next});
-  }
-}
-
-// The lumen at a cut end, a thin disc before the end's flat face. outwards: unit.
-void addMouth(TriangleMesh& mesh, const Vec3& end, const Vec3& outwards, double radius) {
-  constexpr double kThick = 0.05e-3;  // m
-  const auto [u, v] = across(outwards);
-  addPrism(mesh, end, end + kThick * outwards, radius * u, radius * v, kSides);
-}
+double outsideOf(const VesselSegment& s) { return s.radius + wallOf(s.kind, s.radius); }
 
 // Where a clip is on its vessel, if it is to be seen: on a bare vessel, or near an end.
 bool isSeen(const Organ& organ, const VesselClip& clip) {
@@ -96,44 +25,151 @@ bool isSeen(const Organ& organ, const VesselClip& clip) {
          kMouth;
 }
 
+// The vessels that are drawn, as smooth ways: at a fork the widest branch goes on in the direction
+// of its parent, and the others bend away from it.
+class VesselTree {
+ public:
+  VesselTree(const OperatedOrgan& operated, const std::vector<std::int32_t>& drawn)
+      : operated_(operated),
+        segments_(operated.organ.map->anatomy.segments),
+        drawn_(drawn),
+        widest_(drawn_.size(), -1) {
+    for (const std::int32_t i : drawn_)
+      if (const std::ptrdiff_t above = numberOf(segments_[std::size_t(i)].parent); above >= 0) {
+        std::int32_t& kept = widest_[std::size_t(above)];
+        if (kept < 0 || segment(kept).radius < segment(i).radius) kept = i;
+      }
+  }
+
+  // The whole wall of a segment, with its ends covered.
+  VesselWall wholeWall(std::int32_t number) const {
+    const VesselSegment& s = segment(number);
+    VesselWall wall;
+    wall.kind = s.kind;
+    wall.lumen = s.radius;
+    wall.outside = wall.outsideA = wall.outsideB = outsideOf(s);
+    Vec3 before = s.end - s.start, after = before;
+    if (s.parent >= 0) {
+      const VesselSegment& parent = segment(s.parent);
+      const std::ptrdiff_t above = numberOf(s.parent);
+      const bool goesOn = above < 0 || widest_[std::size_t(above)] == number;
+      before = between(parent.end - parent.start, s.end - s.start, goesOn ? 1 : 0.5);
+      const double parents = outsideOf(parent);
+      if (above >= 0)
+        wall.outsideA =
+            goesOn ? 0.5 * (wall.outside + parents) : std::min(parents, 1.3 * wall.outside);
+    }
+    if (const std::ptrdiff_t here = numberOf(number);
+        here >= 0 && widest_[std::size_t(here)] >= 0) {
+      const VesselSegment& next = segment(widest_[std::size_t(here)]);
+      after = between(next.end - next.start, s.end - s.start, 1);
+      wall.outsideB = 0.5 * (wall.outside + outsideOf(next));
+    }
+    if (s.leaf) wall.outsideB = 0.22 * wall.outside;  // torn from the sinusoids: a thread
+    const double length = s.length();
+    wall.rest = {s.start, s.end, length * before.normalized(), length * after.normalized()};
+    wall.present = placed(wall.rest);
+    return wall;
+  }
+
+  const VesselSegment& segment(std::int32_t number) const { return segments_[std::size_t(number)]; }
+
+ private:
+  std::ptrdiff_t numberOf(std::int32_t segment) const {
+    const auto at = std::ranges::lower_bound(drawn_, segment);
+    return at != drawn_.end() && *at == segment ? at - drawn_.begin() : -1;
+  }
+  // other, own: directions. share: how much of the other one counts.
+  static Vec3 between(const Vec3& other, const Vec3& own, double share) {
+    const Vec3 sum = own.normalized() + share * other.normalized();
+    return sum.norm() > 0.5 ? sum : own;
+  }
+  SmoothWay placed(const SmoothWay& rest) const {
+    const auto at = [&](const Vec3& p) {
+      return presentPlace(operated_.organ, *operated_.tissue, p);
+    };
+    SmoothWay way;
+    way.a = at(rest.a), way.b = at(rest.b);
+    // The slopes turn with the way, so that they need no places of their own.
+    const Vec3 restWay = rest.b - rest.a, presentWay = way.b - way.a;
+    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(restWay, presentWay);
+    const double longer = presentWay.norm() / std::max(restWay.norm(), 1e-9);
+    way.slopeA = longer * (turn * rest.slopeA), way.slopeB = longer * (turn * rest.slopeB);
+    return way;
+  }
+
+  const OperatedOrgan& operated_;
+  const std::vector<VesselSegment>& segments_;
+  const std::vector<std::int32_t>& drawn_;
+  std::vector<std::int32_t> widest_;  // for each drawn segment: its widest drawn branch; -1: none
+};
+
+// The segments whose walls are drawn: the bare ones, and those that go on from them. Cells are far
+// larger than vessels, so the tissue may not cover the place where a vessel ceases to be bare.
+// Ascending.
+std::vector<std::int32_t> drawnSegments(const Organ& organ) {
+  constexpr double kThinnest = 0.3e-3;  // m: radius below which a vessel is not followed
+  const std::vector<VesselSegment>& segments = organ.map->anatomy.segments;
+  const std::vector<std::int32_t>& bared = organ.vessels.bared;
+  std::vector<std::int32_t> drawn = bared;
+  const auto follow = [&](std::int32_t i) {
+    const auto part = std::ranges::lower_bound(organ.vessels.apart, i, {}, &SegmentPart::segment);
+    const bool lost = part != organ.vessels.apart.end() && part->segment == i;
+    if (!lost && segments[std::size_t(i)].radius >= kThinnest) drawn.push_back(i);
+  };
+  std::vector<std::uint8_t> isBare(segments.size() + 1,
+                                   0);  // number -1, no parent, is the last one
+  const auto at = [&](std::int32_t i) { return i < 0 ? segments.size() : std::size_t(i); };
+  for (const std::int32_t i : bared) {
+    isBare[at(i)] = 1;
+    if (segments[at(i)].parent >= 0) follow(segments[at(i)].parent);
+  }
+  // A branch comes after its parent.
+  for (std::size_t i = bared.empty() ? segments.size() : at(bared.front()); i < segments.size();
+       ++i)
+    if (isBare[at(segments[i].parent)]) follow(std::int32_t(i));
+  std::ranges::sort(drawn);
+  drawn.erase(std::ranges::unique(drawn).begin(), drawn.end());
+  return drawn;
+}
+
 void addOrgan(BareVessels& all, const OperatedOrgan& operated) {
   const Organ& organ = operated.organ;
   if (!organ.map) return;
-  const auto placed = [&](const VesselSegment& s, double share) {
-    return presentPlace(organ, *operated.tissue, s.at(share));
-  };
-  for (const std::int32_t i : organ.vessels.bared) {
-    const VesselSegment& s = organ.map->anatomy.segments[std::size_t(i)];
-    const double outside = s.radius + wallOf(s.kind, s.radius), gap = kRetracts / s.length();
-    TriangleMesh& mesh = all.tubes[std::size_t(s.kind)];
+  const std::vector<std::int32_t> drawn = drawnSegments(organ);
+  const VesselTree tree(operated, drawn);
+  const auto& clips = organ.vessels.clips;
+  for (const std::int32_t i : drawn) {
+    VesselWall wall = tree.wholeWall(i);
+    const double gap = kRetracts / tree.segment(i).length();
+    const auto [first, last] = std::ranges::equal_range(clips, i, {}, &VesselClip::segment);
+    for (auto clip = first; clip != last; ++clip)
+      wall.pinches.push_back({clip->share, clip->byHeat});
     const VesselInjury* injury = organ.vessels.injury(i);
     if (!injury || !injury->severed()) {
-      addTube(mesh, placed(s, 0), placed(s, 1), outside);
+      addWall(all.walls, wall);
       continue;
     }
+    const auto endOf = [&](VesselEnd end) {
+      return injury->isSealed(end) ? WallEnd::Sealed : WallEnd::Open;
+    };
     if (injury->from > gap) {
-      const Vec3 a = placed(s, 0), b = placed(s, injury->from - gap);
-      addTube(mesh, a, b, outside, false, true);
-      addMouth(all.mouths, b, (b - a).normalized(), s.radius);
+      VesselWall part = wall;
+      part.to = injury->from - gap, part.atTo = endOf(VesselEnd::Root);
+      addWall(all.walls, part);
     }
     if (injury->to < 1 - gap) {
-      const Vec3 a = placed(s, injury->to + gap), b = placed(s, 1);
-      addTube(mesh, a, b, outside, true, false);
-      addMouth(all.mouths, a, (a - b).normalized(), s.radius);
+      wall.from = injury->to + gap, wall.atFrom = endOf(VesselEnd::Far);
+      addWall(all.walls, wall);
     }
   }
-  for (const VesselClip& clip : organ.vessels.clips) {
-    if (!isSeen(organ, clip)) continue;
-    const VesselSegment& s = organ.map->anatomy.segments[std::size_t(clip.segment)];
-    const double half = 0.5 * (clip.byHeat ? 1.5e-3 : kClipWidth) / s.length();
-    const Vec3 a = placed(s, clip.share - half), b = placed(s, clip.share + half);
-    if ((b - a).norm() < 1e-5) continue;
-    const double outside = s.radius + wallOf(s.kind, s.radius);
-    const auto [u, v] = across(b - a);
-    if (clip.byHeat)
-      addPrism(all.sealed, a, b, 1.08 * outside * u, 1.08 * outside * v, kSides);
-    else  // flat and longer than the vessel is wide
-      addPrism(all.clips, a, b, (1.6 * outside + kClipOver) * u, (0.5 * outside + 0.6e-3) * v, 4);
+  for (const VesselClip& clip : clips) {
+    if (clip.byHeat || !isSeen(organ, clip)) continue;
+    const VesselWall wall = tree.wholeWall(clip.segment);
+    const Vec3 along = wall.present.direction(clip.share),
+               restAlong = wall.rest.direction(clip.share);
+    const Vec3 u = across(along, across(restAlong, restAlong.unitOrthogonal()).first).first;
+    addClip(all.clips, all.clipNormals, wall.present.at(clip.share), along, u, wall.outside);
   }
 }
 
@@ -146,10 +182,8 @@ std::shared_ptr<const BareVessels> bareVessels(const Simulation& simulation) {
   if (!any) return nullptr;
   auto all = std::make_shared<BareVessels>();
   for (const OperatedOrgan& o : simulation.organs()) addOrgan(*all, o);
-  for (const TriangleMesh& mesh : all->tubes)
-    for (const Vec3& p : mesh.points) all->box.grow(p);
-  for (const TriangleMesh* mesh : {&all->mouths, &all->sealed, &all->clips})
-    for (const Vec3& p : mesh->points) all->box.grow(p);
+  for (const Vec3f& p : all->walls.points) all->box.grow(p.cast<double>());
+  for (const Vec3& p : all->clips.points) all->box.grow(p);
   return all;
 }
 

@@ -1,24 +1,26 @@
 // Meshes of bare vessels and of clips, for viewers.
 #pragma once
 
-#include <array>
 #include <memory>
+#include <vector>
 
-#include "anatomy/anatomy.h"
 #include "geometry/triangle_mesh.h"
 #include "simulation/simulation.h"
+#include "surface/surface_update.h"
 
 namespace resect {
 
 struct BareVessels {
-  // tubes: walls of the bare vessels, one mesh per VesselKind. mouths: lumens that are seen at cut
-  // ends. sealed: the parts of vessels that heat has sealed. All coordinates are in the world, m.
-  std::array<TriangleMesh, kVesselKinds> tubes;
-  TriangleMesh mouths, sealed, clips;
+  // Walls of the bare vessels; the cut share of a vertex says what it shows (vessel_walls.h).
+  // clipNormals: one per point of the clips. All coordinates but the rest places are in the world,
+  // m.
+  SurfaceCopy walls;
+  TriangleMesh clips;
+  std::vector<Vec3f> clipNormals;
   Aabb box;  // round all these meshes
 };
 
-// Null if there are no bare vessels and no clips. The ends of the tubes lie inside tissue, which
+// Null if there are no bare vessels and no clips. The ends of the walls lie inside tissue, which
 // hides them. Cost: proportional to the number of bare segments and clips.
 std::shared_ptr<const BareVessels> bareVessels(const Simulation& simulation);
 

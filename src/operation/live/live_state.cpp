@@ -34,6 +34,7 @@ void noteStep(LiveState& state, const Simulation& simulation, const StepReport& 
   constexpr double kTouchShows = 0.1;    // s: removed tissue is in contact for one frame only
   constexpr double kFeltContact = 0.01;  // N
   constexpr double kMoved = 1e-5;        // m
+  followSmoke(state.smoke, report.smoke, report.time, report.time - state.time);
   state.frame = report.frame + 1;
   state.time = report.time;
   std::int64_t removed = 0;
@@ -101,6 +102,7 @@ void noteMoment(LiveState& state, const Simulation& simulation, double before,
   for (const BleedingEnd& end : bleedingEnds(simulation)) report.blood.rate += end.flow;
   state.lastTouch.clear();
   state.bloody.clear();
+  state.smoke = {};
   noteStep(state, simulation, report, before, peaks);
   state.bleedingRate = report.blood.rate;  // there is no second before it to take the mean of
 }

@@ -14,6 +14,7 @@
 #include "operation/live/step_times.h"
 #include "operation/live/timeline.h"
 #include "operation/live/tip_place.h"
+#include "operation/smoke/smoke_plume.h"
 #include "simulation/simulation.h"
 
 namespace resect {
@@ -51,6 +52,7 @@ struct LiveState {
   int clips = 0;                            // number of clips on vessels
   std::shared_ptr<const LooseBlood> loose;  // blood on no organ; null: none
   std::shared_ptr<const BareVessels> bare;  // null: no bare vessels and no clips
+  SmokePlume smoke;
   // The lists below have one element per tool.
   std::vector<Pose> poses;           // its present pose, world
   std::vector<std::uint8_t> inHand;  // 1: it is in hand, or left at work

@@ -1,0 +1,41 @@
+// Inventor shape that draws smoke: soft balls that hide some of what is behind them. It comes after
+// everything that smoke can be in front of. Its shader program is that of RoomMaterial::Smoke.
+//
+// A shader gets the middle of a ball as gl_Vertex, the corner of the square that shows the ball (-1
+// or 1) as gl_MultiTexCoord1.xy, the ball's radius, m, as gl_MultiTexCoord1.z, and its density as
+// gl_MultiTexCoord1.w. The shape has no bounds, and cannot be picked. In .iv files the node is
+// written `Smoke {}`, and then shows no smoke.
+#pragma once
+
+#include <Inventor/fields/SoSFInt32.h>
+#include <Inventor/nodes/SoShape.h>
+#include <Inventor/nodes/SoSubNode.h>
+
+#include <vector>
+
+#include "operation/smoke/smoke_plume.h"
+
+namespace resect {
+
+class SoSmoke : public SoShape {
+  SO_NODE_HEADER(SoSmoke);
+
+ public:
+  static void initClass();
+  SoSmoke();
+
+  SoSFInt32 revision;  // number of changes so far; set() updates it
+
+  void set(std::vector<SmokeBall> balls);  // world, m
+
+ protected:
+  ~SoSmoke() override;
+  void GLRender(SoGLRenderAction* action) override;
+  void computeBBox(SoAction* action, SbBox3f& box, SbVec3f& centre) override;
+  void generatePrimitives(SoAction* action) override;
+
+ private:
+  std::vector<SmokeBall> balls_;
+};
+
+}  // namespace resect
