@@ -117,7 +117,7 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base, vec3 n) {
     float crust = smoothstep(0.55, 0.95, heat.x) * smoothstep(0.05, 0.45, at.middle.x - 0.6 * at.fine.x);
     float char_ = smoothstep(0.04, 0.45, heat.y * (1.0 + 0.6 * rough));
     t.albedo = mix(t.albedo, vec3(0.090, 0.046, 0.033), 0.75 * edge);
-    t.albedo = mix(t.albedo, vec3(0.092, 0.083, 0.074) * (1.0 + 0.30 * rough), 0.96 * tan_);
+    t.albedo = mix(t.albedo, vec3(0.086, 0.071, 0.057) * (1.0 + 0.30 * rough), 0.96 * tan_);
     t.albedo = mix(t.albedo, vec3(0.048, 0.026, 0.016) * (1.0 + 0.4 * at.fine.x), 0.85 * crust);
     t.albedo = mix(t.albedo, mix(vec3(0.045, 0.024, 0.015), vec3(0.012, 0.010, 0.009), char_), char_);
     t.wet *= 1.0 - 0.9 * tan_;
