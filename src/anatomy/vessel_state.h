@@ -31,8 +31,9 @@ struct VesselInjury {
   std::uint32_t cut = 0;    // bit f: filament f is cut
   double from = 1, to = 0;  // the wall is open between these fractions of the segment's length
   std::uint8_t sealed = 0;  // bit 0: end towards the root is sealed; bit 1: far end is sealed
-  double flow[2] = {0, 0};  // per VesselEnd: flow out of this end in the last frame, m^3/s
-  double bled = 0;          // blood that this injury has lost so far, m^3
+  // Per VesselEnd: flow out of this end in the last frame, m^3/s. Negative: air is drawn in.
+  double flow[2] = {0, 0};
+  double bled = 0;  // blood that this injury has lost so far, m^3
 
   double share() const { return double(std::popcount(cut)) / kFilaments; }
   bool severed() const { return share() > kSevered; }

@@ -7,6 +7,7 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "blood/flow/segment_parts.h"
+#include "organ/heat/heat_organ.h"
 
 namespace resect {
 namespace {
@@ -31,7 +32,22 @@ double pressureShare(double lost) {
 // The pressure of the vena cava falls with the blood lost, to nothing at this share, which is about
 // that of the blood that stretches the vessels (estimate).
 constexpr double kStretching = 0.3;
+// Air in the heart hinders it: pressures fall from the first volume, m^3, and are zero at the
+// second (200 to 300 ml at once kill an adult: Mirski et al. 2007,
+// doi:10.1097/00000542-200701000-00026).
+constexpr double kAirBorne = 50e-6, kDeadlyAir = 300e-6;
 constexpr int kSeekEvery = 12;  // frames with edits after which the parts of the tissue are sought
+
+double airShare(double air) {
+  return 1 - std::clamp((air - kAirBorne) / (kDeadlyAir - kAirBorne), 0.0, 1.0);
+}
+
+// The height to which the pressures of the sources refer, m: that of the outer end of the portal
+// vein's trunk.
+double zeroLevel(const Anatomy& anatomy) {
+  const VesselRange portal = anatomy.range(VesselKind::PortalVein);
+  return portal.count > 0 ? anatomy.segments[std::size_t(portal.first)].start.y() : 0;
+}
 
 double shareLeft(double lost) { return std::clamp((1 - lost) / (1 - kGravest), 0.0, 1.0); }
 
@@ -147,7 +163,12 @@ void Bleeding::follow(OrganBlood& blood, OperatedOrgan& organ, std::int32_t numb
   const std::vector<std::int64_t> changed = changedCells(organ.organ, number, edits);
   blood.film.renew(organ, changed, drops_, opened);
   const double face = lattice.spacing.x() * lattice.spacing.x();
-  for (const OpenedFaces& cut : opened) blood.oozing.push_back({cut.cell, cut.faces * face, time});
+  const SkinCells& skin = blood.film.skin();
+  for (const OpenedFaces& cut : opened) {
+    // The faces of the cells along an oblique plane are larger than the plane, by this factor.
+    const double stairs = skin[skin.numberOf(cut.cell)].normal.cast<double>().lpNorm<1>();
+    blood.oozing.push_back({cut.cell, cut.faces * face / std::max(1.0, stairs), time});
+  }
   std::erase_if(blood.oozing, [&](const Oozing& o) {
     return time - o.since > kOozeEnds * kOozeTime || !organ.organ.alive[std::size_t(o.cell)];
   });
@@ -166,15 +187,16 @@ void Bleeding::shed(OrganBlood& blood, std::int64_t cell, Picolitres volume) {
 
 void Bleeding::ooze(OrganBlood& blood, const OperatedOrgan& organ, double duration, double time) {
   const Lattice& lattice = organ.organ.rest.lattice;
-  const HeatField& heat = organ.organ.heat;
+  const SkinCells& skin = blood.film.skin();
   const double left = shareLeft(toCubicMetres(bled_) / circulation_.volume);
   for (const Oozing& o : blood.oozing) {
     if (!organ.tissue->solid(o.cell)) continue;
     const double over =
         blood.sinusoids[std::size_t(o.part)] - pressureAt(blood.film.placeOf(organ, o.cell).place);
     const double pressure = std::max(0.0, over / circulation_.sinusoids);
-    const double open =
-        heat.empty() ? 1 : 1 - heat.coagulated(lattice.centre(lattice.cell(o.cell)));
+    const Vec3 face =
+        lattice.centre(lattice.cell(o.cell)) + skin[skin.numberOf(o.cell)].offset.cast<double>();
+    const double open = 1 - coagulatedAt(organ.organ, face);
     const double rate =
         left * kOoze * o.area * pressure * open * math::exp(-(time - o.since) / kOozeTime);
     shed(blood, o.cell, toPicolitres(rate * duration));
@@ -207,9 +229,7 @@ void Bleeding::bleed(OrganBlood& blood, OperatedOrgan& organ, std::int32_t numbe
   VesselState& state = organ.organ.vessels;
   if (state.injuries.empty()) return;
   const Anatomy& anatomy = organ.organ.map->anatomy;
-  const VesselRange portal = anatomy.range(VesselKind::PortalVein);
-  const double level =
-      portal.count > 0 ? anatomy.segments[std::size_t(portal.first)].start.y() : 0;  // m
+  const double level = zeroLevel(anatomy);
   const double stub = kStub * organ.organ.rest.lattice.spacing.x();
 
   std::vector<EndOutside> outside(state.injuries.size());
@@ -231,11 +251,13 @@ void Bleeding::bleed(OrganBlood& blood, OperatedOrgan& organ, std::int32_t numbe
       outside[i].pressure[end] = kBloodDensity * kEarth * (place.y() - level) + pressureAt(place);
     }
   }
-  const double lost = toCubicMetres(bled_) / circulation_.volume, fall = pressureShare(lost);
+  const double lost = toCubicMetres(bled_) / circulation_.volume,
+               fall = pressureShare(lost) * airShare(air_);
   const double turn = 2 * std::numbers::pi * (time * kHeart - std::floor(time * kHeart));
   const SourceShares sources{fall * (1 + kPulse * math::sin(turn)), fall,
                              std::max(0.0, 1 - lost / kStretching)};
-  report.airRate += blood.flow.solve(state, outside, sources, blood.sinusoids);
+  const double air = blood.flow.solve(state, outside, sources, blood.sinusoids);
+  report.airRate += air, air_ += air * duration;
   for (std::size_t i = 0; i < state.injuries.size(); ++i)
     for (int end = 0; end < 2; ++end) {
       VesselInjury& injury = state.injuries[i];

@@ -67,12 +67,14 @@ class Bleeding {
   const std::vector<BloodDrop>& drops() const { return drops_; }
   const BloodTable& table() const { return table_; }
   BloodLedger ledger() const;
+  double air() const { return air_; }  // volume of air drawn into hepatic veins so far, m^3
   std::size_t bytes() const;
 
   template <class Visitor>
   void visit(Visitor& v) {
     v.fixed("organs", organs_), v("drops", drops_), v("table", table_);
-    v("bled", bled_), v("sucked", sucked_), v("absorbed", absorbed_), v("lost", lost_);
+    v("bled", bled_), v("sucked", sucked_), v("absorbed", absorbed_), v("lost", lost_),
+        v("air", air_);
   }
   void remake(std::span<const OperatedOrgan> organs);  // after a state was loaded
 
@@ -124,6 +126,7 @@ class Bleeding {
   std::vector<BloodDrop> drops_;
   BloodTable table_;
   Picolitres bled_ = 0, sucked_ = 0, absorbed_ = 0, lost_ = 0;
+  double air_ = 0;
   bool any_ = false;
   Circulation circulation_;
   std::vector<Press> pressing_;  // Press edits of this frame

@@ -10,6 +10,7 @@
 #include "base/text/shown_text.h"
 #include "cli/blood_report.h"
 #include "cli/ledger_report.h"
+#include "operation/blood/dangers.h"
 #include "operation/promises.h"
 #include "operation/way/place_ways.h"
 
@@ -41,6 +42,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenari
   json["remaining_ml"] = 1e6 * tissue.left().volume;  // body, pieces and debris
   json["touched"] = summary.touched;
   json["findings"] = findings(summary, scenario);
+  json["dangers"] = summary.blood ? dangersOf(*summary.blood) : std::vector<std::string>{};
   json["ledger"] = toJson(summary.ledger);
   json["deepest_overlap_ml"] = 1e6 * summary.deepestOverlap;
   json["frames"] = summary.frames;
@@ -116,6 +118,8 @@ std::string toText(const RunSummary& summary, const Scenario& scenario,
                     why));
   }
   for (const std::string& finding : findings(summary, scenario)) row("note", finding);
+  if (summary.blood)
+    for (const std::string& danger : dangersOf(*summary.blood)) row("danger", danger);
   row("time",
       fmt::format("{} frames = {:.2f} s simulated in {:.3f} s: {:.1f} x real time", summary.frames,
                   summary.simulatedSeconds, summary.computedSeconds, summary.realTimeFactor()));

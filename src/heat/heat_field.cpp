@@ -53,11 +53,10 @@ const HeatedSpot* HeatField::find(std::int64_t index) const {
   return at != spots_.end() && at->index == index ? &*at : nullptr;
 }
 
-template <typename Value>
-double HeatField::between(const Vec3& place, double elsewhere, Value value) const {
-  if (spots_.empty()) return elsewhere;
+// Calls visit(cell, weight, spot) for the 8 cells round a place; spot: null if there is none.
+template <typename Visit>
+void HeatField::visitCorners(const Vec3& place, Visit visit) const {
   const Vec3 at = lattice_.toCellSpace(place);
-  double sum = 0;
   for (int corner = 0; corner < 8; ++corner) {
     Vec3i cell;
     double weight = 1;
@@ -67,10 +66,29 @@ double HeatField::between(const Vec3& place, double elsewhere, Value value) cons
       cell[a] = int(low) + high;
       weight *= high ? at[a] - low : 1 - (at[a] - low);
     }
-    const HeatedSpot* spot = lattice_.contains(cell) ? find(lattice_.index(cell)) : nullptr;
-    sum += weight * (spot ? value(*spot) : elsewhere);
+    visit(cell, weight, lattice_.contains(cell) ? find(lattice_.index(cell)) : nullptr);
   }
+}
+
+template <typename Value>
+double HeatField::between(const Vec3& place, double elsewhere, Value value) const {
+  if (spots_.empty()) return elsewhere;
+  double sum = 0;
+  visitCorners(place, [&](const Vec3i&, double weight, const HeatedSpot* spot) {
+    sum += weight * (spot ? value(*spot) : elsewhere);
+  });
   return sum;
+}
+
+double HeatField::coagulatedTissue(const Vec3& place,
+                                   const std::function<bool(const Vec3&)>& isTissue) const {
+  double sum = 0, weights = 0;
+  visitCorners(place, [&](const Vec3i& cell, double weight, const HeatedSpot* spot) {
+    if (!spot && !isTissue(lattice_.centre(cell))) return;
+    weights += weight;
+    if (spot) sum += weight * spot->coagulated;
+  });
+  return weights > 0 ? sum / weights : 0;
 }
 
 double HeatField::temperature(const Vec3& place) const {

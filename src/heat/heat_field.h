@@ -85,6 +85,10 @@ class HeatField {
   double temperature(const Vec3& place) const;
   double coagulated(const Vec3& place) const;
   double charred(const Vec3& place) const;
+  // Like coagulated(), but cells without tissue do not count. Meant for places at the surface of
+  // the tissue, where some of the 8 cells are empty. isTissue: as in step().
+  double coagulatedTissue(const Vec3& place,
+                          const std::function<bool(const Vec3&)>& isTissue) const;
 
   const Lattice& lattice() const { return lattice_; }
   std::span<const HeatedSpot> spots() const { return spots_; }  // in ascending order of `index`
@@ -113,6 +117,8 @@ class HeatField {
   const HeatedSpot* find(std::int64_t index) const;
   template <typename Value>
   double between(const Vec3& place, double elsewhere, Value value) const;
+  template <typename Visit>
+  void visitCorners(const Vec3& place, Visit visit) const;
   void add(const HeatSource& source, double duration,
            const std::function<bool(const Vec3&)>& isTissue);
   void spread(const std::function<bool(const Vec3&)>& isTissue);

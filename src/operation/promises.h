@@ -16,16 +16,18 @@ struct PromiseKind {
 };
 // removal: tissue is removed. cut: tissue is cut, but no tissue is removed. push: the force on an
 // instrument exceeds 0.01 N, and tissue is neither cut nor removed. parts: an organ has at least
-// one piece besides its body at the end. blood: blood is lost.
+// one piece besides its body at the end. blood: blood is lost. dry: at
+// the end hardly anything bleeds (grade 0 or 1 on the VIBe scale: at most 5 ml/min).
 inline constexpr std::array kPromises{
     PromiseKind{"removal", "no tissue was removed"},
     PromiseKind{"cut", "tissue was removed, or none was cut"},
     PromiseKind{"push", "no instrument pushed, or tissue was cut or removed"},
     PromiseKind{"parts", "the organ is still in one piece"},
-    PromiseKind{"blood", "no blood was lost"}};
+    PromiseKind{"blood", "no blood was lost"},
+    PromiseKind{"dry", "it still bleeds at the end"}};
 
-// One sentence for each tool that has keys but touched no organ, and one for each promise of the
-// scenario that was not kept.
+// One sentence for each tool that has keys but touched no organ, and one for each promise
+// of the scenario that was not kept.
 std::vector<std::string> findings(const RunSummary& summary, const Scenario& scenario);
 
 }  // namespace resect

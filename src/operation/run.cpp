@@ -5,6 +5,7 @@
 #include "base/stop.h"
 #include "geometry/measures.h"
 #include "geometry/topology.h"
+#include "operation/live/operation_events.h"
 
 namespace resect {
 
@@ -46,10 +47,10 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
       if (std::find(summary.faults.begin(), summary.faults.end(), fault) == summary.faults.end())
         summary.faults.push_back(fault);
     for (std::size_t i = 0; i < summary.forces.size(); ++i) {
+      if (worksOnOrgan(report, simulation, i)) summary.toolTouched[i] = true;
       const double force = report.toolForce[i].norm();
       summary.forces[i].peak = std::max(summary.forces[i].peak, force);
       summary.touched = summary.touched || force > 0;
-      if (force > 0) summary.toolTouched[i] = true;
       summary.forces[i].perFrame.push_back(float(force));
     }
     blood.add(report, input.duration);
@@ -73,9 +74,6 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
   summary.blood = blood.summaryOf(simulation);
   for (const OperatedOrgan& organ : simulation.organs())
     if (summary.segments.empty()) summary.segments = segmentAmounts(organ);
-  if (summary.blood && summary.blood->inflowClamped > 0)  // on vessels that enter the organ
-    for (std::size_t i = 0; i < summary.toolTouched.size(); ++i)
-      if (simulation.tools()[i].tool->model.kind == "inflow_clamp") summary.toolTouched[i] = true;
   summary.stateHash = simulation.stateHash();
   return summary;
 }

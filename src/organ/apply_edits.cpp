@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "anatomy/vessel_state.h"
+#include "anatomy/vessel_closure.h"
 #include "organ/incision/strands.h"
 #include "organ/vessel_cords.h"
 #include "tissue/cut_bonds.h"
@@ -131,6 +131,9 @@ EditSummary applyEdits(OperatedOrgan& organ, std::int32_t number, std::span<cons
     any = true;
   }
   if (!any) return {};
+  if (organ.organ.map && !application.summary.vessels.empty())
+    application.summary.slipped =
+        slipClips(organ.organ.map->anatomy, application.summary.vessels, organ.organ.vessels);
   partStrands(organ.organ, *organ.tissue, application.severed, application.nearBlades);
   organ.tissue->settle();
   if (organ.organ.map && (!removedCells.empty() || !application.severed.empty() ||

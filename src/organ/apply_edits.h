@@ -16,6 +16,7 @@ struct EditSummary {
   std::int64_t severed = 0;           // number of bonds severed by SeverBond and TearBond
   std::int64_t incised = 0;           // number of bonds severed by Incision
   std::vector<std::int32_t> vessels;  // vessel segments that were cut, or cut further
+  std::vector<VesselClip> slipped;    // clips that slipped off these vessels
 };
 
 // Applies the edits of organ `number`, in the order of `edits`. Skips these edits:

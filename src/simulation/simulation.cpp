@@ -209,13 +209,15 @@ EditSummary Simulation::apply(std::span<const TissueEdit> edits, StepReport& rep
     sum.incised += summary.incised;
     for (const std::int32_t segment : summary.vessels)
       report.vessels.push_back({std::int32_t(o), segment});
+    for (const VesselClip& clip : summary.slipped)
+      report.slipped.push_back({std::int32_t(o), clip.segment});
   }
   return sum;
 }
 
 void Simulation::applyEdits(StepReport& report) {
   for (auto& removed : work_.removedCells) removed.clear();
-  report.vessels.clear();
+  report.vessels.clear(), report.slipped.clear();
   const EditSummary summary = apply(work_.edits, report);
   report.removed = summary.removed;
   report.removedVolume = summary.removedVolume;

@@ -83,6 +83,7 @@ struct StepReport {
   std::vector<TissueEdit> caused;
   std::vector<TissueStep> tissue;  // one per organ
   std::vector<CutVessel> vessels;  // vessels that were cut, or cut further, in the frame
+  std::vector<CutVessel> slipped;  // vessels off which a clip slipped in the frame, each clip once
   BloodReport blood;               // meaningful only if an organ has vessels
   std::vector<Smoke> smoke;        // one for each Heat edit in an organ whose tissue boils
   // Per tool: mean force on the tool over the frame, N; zero if no tissue moves.

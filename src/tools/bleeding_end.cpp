@@ -1,5 +1,7 @@
 #include "tools/bleeding_end.h"
 
+#include <cmath>
+
 #include "tools/rest_place.h"
 
 namespace resect {
@@ -23,14 +25,14 @@ std::optional<VesselAtTip> bleedingEndNear(const Organ& organ, const TissueModel
     for (const VesselEnd end : {VesselEnd::Root, VesselEnd::Far}) {
       const double flow = injury.flow[int(end)];
       const Vec3 at = s.at(end == VesselEnd::Root ? injury.from : injury.to);
-      if (!(flow > 0) || !accepts(s.radius) || injury.isSealed(end) ||
+      if (flow == 0 || !accepts(s.radius) || injury.isSealed(end) ||
           organ.vessels.clipped(injury, end) || (at - *rest).norm() > reach + kPulled)
         continue;
       const double distance = (presentPlace(organ, tissue, at) - place).norm();
       if (distance > reach || (best && distance > least + kTogether)) continue;
-      if (best && distance > least - kTogether && flow <= most) continue;
+      if (best && distance > least - kTogether && std::abs(flow) <= most) continue;
       best = VesselAtTip{injury.segment, end, at};
-      least = distance, most = flow;
+      least = distance, most = std::abs(flow);
     }
   }
   return best;

@@ -136,3 +136,15 @@ TEST_CASE("tissue that cools keeps its damage, and is forgotten where it has non
   CHECK(least > 0);
   CHECK(heat.coagulated(source.place + Vec3(0.02, 0, 0)) == 0);
 }
+
+TEST_CASE("at the tissue's surface the coagulated share is that of the tissue, not half of it") {
+  const auto below = [](const Vec3& at) { return at.y() < -0.0071; };
+  HeatField heat = field();
+  for (int i = 0; i < 600; ++i)
+    heat.step(std::array{HeatSource{Vec3(0.0133, -0.0071, 0.0212), 0.006, 20}}, 1.0 / 60, below);
+  const Vec3 deep(0.0133, -0.0101, 0.0212), surface(0.0133, -0.0071, 0.0212);
+  CHECK(heat.coagulated(deep) > 0.99);
+  CHECK(heat.coagulatedTissue(surface, below) > 0.99);
+  CHECK(heat.coagulated(surface) < 0.8);
+  CHECK(heat.coagulatedTissue(surface + Vec3(0.03, 0, 0), below) == 0);  // cold
+}

@@ -21,7 +21,8 @@ PROMISES = {  # what the titles say (docs/scenarios.md)
     **{kind + size: ["removal"] for kind in ("cut", "perforate", "deform") for size in ("", "-120", "-950")},
     "resect-segment": ["removal", "parts"], "resect-segment-elastic": ["cut", "parts"],
     "incise": ["cut"], "incise-under-traction": ["cut"], "snip": ["cut"], "press": ["push"], "lift": ["push"],
-    "grasp": ["push"], "bleed": ["blood"], "stop-bleeding": ["blood"], "pringle": ["blood"], "cautery": ["blood"]}
+    "grasp": ["push"], "bleed": ["blood"], "stop-bleeding": ["blood"], "pringle": ["blood"], "cautery": ["blood"],
+    "transect": ["dry"]}
 PINNED_TOP = """[[tissue.attachment]]
 kind = "pin"
 box = [[-0.08, 0.19, -0.08], [0.06, 0.25, 0.05]]

@@ -232,9 +232,10 @@ void VesselFlow::solveTree(const Tree& tree, Part& part, VesselState& state,
         collapsed_[std::size_t(n.injury)][end] ||
         (injury.severed() && state.clipped(injury, VesselEnd(end))))
       return OpenEnd{};
-    // Newton's tangent of R Q + k Q^2 at the last flow.
-    const double k = lossOf(area), last = std::max(injury.flow[end], kLeastSpeed * area);
-    return OpenEnd{1 / (resistance + 2 * k * last), out.pressure[end] - k * last * last};
+    // Newton's tangent of R Q + k Q |Q| at the last flow.
+    const double k = lossOf(area), last = injury.flow[end], size = std::abs(last);
+    return OpenEnd{1 / (resistance + 2 * k * std::max(size, kLeastSpeed * area)),
+                   out.pressure[end] - k * last * size};
   };
   struct Ends {
     double resistance, toRoot, toFar, area;  // toRoot, toFar: of the parts before and beyond
@@ -312,12 +313,11 @@ void VesselFlow::solveTree(const Tree& tree, Part& part, VesselState& state,
     for (int end = 0; end < 2; ++end) {
       if (flow[end] < 0) {
         const bool wide = anatomy_->segments[std::size_t(injury.segment)].radius >= kHeldOpen;
-        if (tree.supply.flow < 0 && wide)
-          air -= flow[end];
-        else
-          collapsed_[std::size_t(n.injury)][end] = true;
+        if (tree.supply.flow > 0 || !wide)
+          collapsed_[std::size_t(n.injury)][end] = true, flow[end] = 0;
       }
-      injury.flow[end] = std::clamp(flow[end], 0.0, kFastest * e.area);
+      injury.flow[end] = std::clamp(flow[end], -kFastest * e.area, kFastest * e.area);
+      air -= std::min(0.0, injury.flow[end]);
     }
   }
   if (keep) tree.inflow = clamped ? 0 : (source - root) / tree.supply.resistance;

@@ -38,10 +38,12 @@ class VesselFlow {
   VesselFlow() = default;
   VesselFlow(std::shared_ptr<const VesselMap> map, const Circulation& circulation);
 
-  // Computes the flows out of all open ends and writes them to state.injuries. A flow is never
-  // below 0. outside: one entry per injury. sources: the present pressures of the sources.
-  // sinusoids: the pressures in the sinusoids, Pa, one for each part of the tissue (SegmentPart),
-  // the body first. The caller passes the pressures from the last call, and solve() updates them.
+  // Computes the flows out of all open ends and writes them to state.injuries. A flow is negative
+  // only in wide hepatic veins, which draw in air; there the flow of the blood that makes room for
+  // the air limits the flow of the air. outside: one entry per injury. sources: the present
+  // pressures of the sources. sinusoids: the pressures in the sinusoids, Pa, one for each part of
+  // the tissue (SegmentPart), the body first. The caller passes the pressures from the last call,
+  // and solve() updates them.
   //
   // The pressure loss at an end depends on the flow. So each call does four iterations, which start
   // from the last flows. After a change, the flow is steady only after several calls. Returns the

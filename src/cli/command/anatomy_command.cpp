@@ -180,7 +180,8 @@ double flowOut(const VesselFlow& flow, std::int32_t segment, bool clip, bool cla
   return 1e6 * (state.injuries[0].flow[0] + state.injuries[0].flow[1]);
 }
 
-// For vessels of some diameters: what they lose when they are cut.
+// For vessels of some diameters: what they lose when they are cut. least and most: of all vessels
+// with that diameter within a tenth.
 nlohmann::ordered_json flows(const Anatomy& anatomy) {
   const VesselFlow flow(makeVesselMap(anatomy), {});
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
@@ -189,16 +190,21 @@ nlohmann::ordered_json flows(const Anatomy& anatomy) {
     for (const double wanted : {1e-3, 2e-3, 3.2e-3, 4e-3, 8e-3}) {
       const VesselRange range = anatomy.range(kind);
       std::int32_t best = -1;
-      double least = 0.1 * wanted;
+      double nearest = 0.1 * wanted, least = 1e9, most = 0;
       for (std::int32_t i = range.first; i < range.first + range.count; ++i) {
         const VesselSegment& s = anatomy.segments[std::size_t(i)];
         const double off = std::abs(2 * s.radius - wanted);
-        if (s.parent >= 0 && off < least) least = off, best = i;
+        if (s.parent < 0 || off > 0.1 * wanted) continue;
+        if (off < nearest) nearest = off, best = i;
+        const double open = flowOut(flow, i, false, false);
+        least = std::min(least, open), most = std::max(most, open);
       }
       if (best < 0) continue;
       rows.push_back({{"kind", wordOf(kind)},
                       {"diameter_mm", 2e3 * anatomy.segments[std::size_t(best)].radius},
                       {"open_ml_s", flowOut(flow, best, false, false)},
+                      {"least_open_ml_s", least},
+                      {"most_open_ml_s", most},
                       {"clipped_ml_s", flowOut(flow, best, true, false)},
                       {"clamped_ml_s", flowOut(flow, best, false, true)}});
     }
@@ -254,9 +260,11 @@ void anatomy(const AnatomyOptions& options) {
   }
   for (const auto& row : lost)
     printLine(text,
-              "severed {:<14} {:.2f} mm: {:6.2f} ml/s, clipped {:5.2f}, inflow clamped {:5.2f}",
+              "severed {:<14} {:.2f} mm: {:6.2f} ml/s (others {:.2f} to {:.2f}), clipped {:5.2f}, "
+              "inflow clamped {:5.2f}",
               row["kind"].get<std::string>(), row["diameter_mm"].get<double>(),
-              row["open_ml_s"].get<double>(), row["clipped_ml_s"].get<double>(),
+              row["open_ml_s"].get<double>(), row["least_open_ml_s"].get<double>(),
+              row["most_open_ml_s"].get<double>(), row["clipped_ml_s"].get<double>(),
               row["clamped_ml_s"].get<double>());
   for (const std::string& file : written) printLine(text, "{}", file);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "anatomy/vessel_closure.h"
 #include "base/elementary.h"
 #include "tools/rest_place.h"
 
@@ -16,7 +17,6 @@ void BloodBooks::add(const StepReport& report, double duration) {
   const double share = 1 - math::exp(-duration / kMeanTime);
   rate_ += share * (report.blood.rate - rate_);
   highest_ = std::max(highest_, rate_);
-  air_ += report.blood.airRate * duration;
 }
 
 std::vector<CutVesselSummary> cutVessels(const OperatedOrgan& operated) {
@@ -24,12 +24,9 @@ std::vector<CutVesselSummary> cutVessels(const OperatedOrgan& operated) {
   std::vector<CutVesselSummary> all;
   for (const VesselInjury& injury : organ.vessels.injuries) {
     const VesselSegment& s = organ.map->anatomy.segments[std::size_t(injury.segment)];
-    const auto closed = [&](VesselEnd end) {
-      return injury.isSealed(end) || organ.vessels.clipped(injury, end);
-    };
     all.push_back({s.kind, organ.map->nameOf(injury.segment), 2 * s.radius, injury.severed(),
-                   closed(VesselEnd::Root) && (!injury.severed() || closed(VesselEnd::Far)),
-                   injury.bled, injury.flow[0] + injury.flow[1],
+                   isClosed(organ.map->anatomy, organ.vessels, injury), injury.bled,
+                   std::max(0.0, injury.flow[0]) + std::max(0.0, injury.flow[1]),
                    presentPlace(organ, *operated.tissue, s.at(injury.from))});
   }
   std::ranges::stable_sort(all, std::greater<>(), &CutVesselSummary::diameter);
@@ -71,7 +68,8 @@ std::vector<BareVesselSummary> bareVesselsOf(const OperatedOrgan& operated) {
 
 std::optional<BloodSummary> BloodBooks::summaryOf(const Simulation& simulation) const {
   if (!simulation.blood().any()) return {};
-  BloodSummary summary{simulation.blood().ledger(), rate_, highest_, air_, {}, {}};
+  BloodSummary summary{simulation.blood().ledger(), rate_, highest_,
+                       simulation.blood().air(),    {},    {}};
   for (const OperatedOrgan& o : simulation.organs()) {
     if (!o.organ.map) continue;
     const std::vector<CutVesselSummary> cut = cutVessels(o);

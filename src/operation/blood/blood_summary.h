@@ -54,7 +54,7 @@ class BloodBooks {
   std::optional<BloodSummary> summaryOf(const Simulation& simulation) const;
 
  private:
-  double rate_ = 0, highest_ = 0, air_ = 0;
+  double rate_ = 0, highest_ = 0;
 };
 
 // The vessels that were cut, the widest first.

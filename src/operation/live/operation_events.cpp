@@ -1,5 +1,7 @@
 #include "operation/live/operation_events.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 #include <variant>
@@ -13,6 +15,23 @@ namespace {
 bool changesOrgan(const TissueEdit& edit) {
   return !std::holds_alternative<Release>(edit.what) &&
          !std::holds_alternative<Suction>(edit.what) && !std::holds_alternative<Press>(edit.what);
+}
+
+std::string vesselName(const Simulation& simulation, std::int32_t o, std::int32_t segment) {
+  const VesselMap& map = *simulation.organs()[std::size_t(o)].organ.map;
+  return fmt::format("{} of {:.1f} mm", map.nameOf(segment),
+                     2e3 * map.anatomy.segments[std::size_t(segment)].radius);
+}
+
+// The vein that draws in most air now.
+std::string veinOfMostAir(const Simulation& simulation) {
+  double most = 0;
+  std::string name;
+  for (std::size_t o = 0; o < simulation.organs().size(); ++o)
+    for (const VesselInjury& injury : simulation.organs()[o].organ.vessels.injuries)
+      if (const double air = -std::min(injury.flow[0], injury.flow[1]); air > most)
+        most = air, name = vesselName(simulation, std::int32_t(o), injury.segment);
+  return name;
 }
 
 }  // namespace
@@ -52,6 +71,15 @@ std::vector<OperationEvent> eventsOf(const StepReport& report, const Simulation&
     note(smokes ? "smoke" : "smoke_clears", smokes ? report.smoke.front().tool : -1, 0);
     memory.smoking = smokes;
   }
+  if (const bool airy = report.blood.airRate > 0; airy != memory.airy) {
+    if (airy)
+      note("air", -1, 1e6 * report.blood.airRate, veinOfMostAir(simulation));
+    else
+      note("air_stops", -1, 0);
+    memory.airy = airy;
+  }
+  for (const CutVessel& slipped : report.slipped)
+    note("clip_slips", -1, 0, vesselName(simulation, slipped.organ, slipped.segment));
   for (const std::string& fault : report.faults) note("fault", -1, 0, fault);
   return events;
 }
@@ -59,6 +87,7 @@ std::vector<OperationEvent> eventsOf(const StepReport& report, const Simulation&
 void remember(EventMemory& memory, const OperationEvent& event, std::size_t tools) {
   memory.touching.resize(tools, 0), memory.inHand.resize(tools, 0);
   if (event.kind == "smoke" || event.kind == "smoke_clears") memory.smoking = event.kind == "smoke";
+  if (event.kind == "air" || event.kind == "air_stops") memory.airy = event.kind == "air";
   if (event.tool < 0 || std::size_t(event.tool) >= tools) return;
   const auto t = std::size_t(event.tool);
   if (event.kind == "touch" || event.kind == "release") memory.touching[t] = event.kind == "touch";

@@ -1,5 +1,5 @@
 // The events of a step: contacts that begin and end; removal, cutting and tearing of tissue;
-// instruments taken and put back; smoke; faults.
+// instruments taken and put back; smoke; air in veins; clips that slip; faults.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,12 @@ struct OperationEvent {
   std::int64_t branch = 0, frame = 0;  // branch: the caller of eventsOf() sets it
   double time = 0;                     // simulated time at the frame's end, s
   std::int64_t tool = -1, organ = -1;  // -1: none
-  std::string kind;   // touch, release, take, put_back, remove, cut, tear, piece, fault,
-                      // smoke, smoke_clears; in_view, out_of_view (sight.h)
-  double amount = 0;  // number of particles (remove), bonds (cut, tear), pieces (piece)
-  std::string text;   // fault: the sentence
+  std::string kind;  // touch, release, take, put_back, remove, cut, tear, piece, fault,
+                     // smoke, smoke_clears, air, air_stops, clip_slips; in_view, out_of_view
+                     // (sight.h)
+  // Number of particles (remove), bonds (cut, tear), pieces (piece); flow of air, ml/s (air).
+  double amount = 0;
+  std::string text;  // fault: the sentence; air, clip_slips: the vessel
 };
 
 // Whether a tool worked on an organ in the step that `report` describes: it touched, pushed or cut
@@ -26,10 +28,11 @@ struct OperationEvent {
 bool worksOnOrgan(const StepReport& report, const Simulation& simulation, std::size_t tool);
 
 // The data about the previous step that eventsOf() needs: two flags per tool, and whether there was
-// smoke. Empty lists mean that no tool was in hand and no tool touched an organ.
+// smoke and whether veins drew in air. Empty lists mean that no tool was in hand and no tool
+// touched an organ.
 struct EventMemory {
   std::vector<char> touching, inHand;
-  bool smoking = false;
+  bool smoking = false, airy = false;
 };
 
 // The events of the step that `report` describes. simulation: in the state after this step. Updates

@@ -18,18 +18,6 @@ bool onBareVessel(const Organ& organ, const Vec3& place) {
   });
 }
 
-// Skin cells have tissue as long as the particle that they belong to.
-bool isTissue(const Organ& organ, const Vec3& place) {
-  const auto at = organ.rest.lattice.cellAt(place);
-  if (!at) return false;
-  const std::int64_t cell = organ.rest.lattice.index(*at);
-  if (organ.alive[std::size_t(cell)]) return true;
-  if (organ.rest.value[std::size_t(cell)] > 0 &&
-      organ.alive[std::size_t(ownerCell(organ.rest, cell))])
-    return true;
-  return onBareVessel(organ, place);
-}
-
 // The mean over a cell.
 double coagulatedShare(const Organ& organ, std::int64_t cell) {
   const Lattice& lattice = organ.rest.lattice;
@@ -80,6 +68,23 @@ TissueMaterial coagulated(const TissueMaterial& material) {
   return result;
 }
 
+// Skin cells have tissue as long as the particle that they belong to.
+bool isTissue(const Organ& organ, const Vec3& place) {
+  const auto at = organ.rest.lattice.cellAt(place);
+  if (!at) return false;
+  const std::int64_t cell = organ.rest.lattice.index(*at);
+  if (organ.alive[std::size_t(cell)]) return true;
+  if (organ.rest.value[std::size_t(cell)] > 0 &&
+      organ.alive[std::size_t(ownerCell(organ.rest, cell))])
+    return true;
+  return onBareVessel(organ, place);
+}
+
+double coagulatedAt(const Organ& organ, const Vec3& place) {
+  if (organ.heat.empty()) return 0;
+  return organ.heat.coagulatedTissue(place, [&](const Vec3& at) { return isTissue(organ, at); });
+}
+
 void heatOrgan(OperatedOrgan& organ, std::span<const HeatSource> sources, double duration,
                bool removed) {
   Organ& o = organ.organ;
@@ -94,7 +99,7 @@ void heatOrgan(OperatedOrgan& organ, std::span<const HeatSource> sources, double
       if (s.temperature > kHot) hot.grow(heat.centre(heat.cell(s.index)));
     sealVessels(
         o.map->anatomy, o.map->index, hot,
-        [&](const Vec3& place) { return o.heat.coagulated(place); }, o.vessels);
+        [&](const Vec3& place) { return coagulatedAt(o, place); }, o.vessels);
   }
   stiffen(organ);
 }

@@ -13,6 +13,11 @@ namespace resect {
 void heatOrgan(OperatedOrgan& organ, std::span<const HeatSource> sources, double duration,
                bool removed);
 
+// Whether heat finds tissue at a place in rest space, or the wall of a bare vessel.
+bool isTissue(const Organ& organ, const Vec3& place);
+// Share of coagulated tissue, 0 to 1, at a place in rest space on the surface of tissue or inside.
+double coagulatedAt(const Organ& organ, const Vec3& place);
+
 // The material after heat has coagulated it: stiffer, harder to cut, and easier to tear. The
 // figures are estimates. Elastography finds ablated liver several times as stiff as before; here
 // the stiffness is only doubled, since stiffer tissue needs shorter substeps.

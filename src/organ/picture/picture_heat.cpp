@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "organ/heat/heat_organ.h"
+#include "tissue/stencil.h"
+
 namespace resect {
 namespace {
 
@@ -26,18 +29,41 @@ std::shared_ptr<const TissueMap> pictureHeat(const OperatedOrgan& organ) {
   map->low = lattice.centre(low).cast<float>();
   map->spacing = Vec3f::Constant(float(HeatField::kSpacing));
   map->dims = high - low + Vec3i::Ones();
-  map->texels.assign(2 * std::size_t(map->dims.prod()), 0);
+  const std::size_t count = std::size_t(map->dims.prod());
+  map->texels.assign(2 * count, 0);
+  std::vector<bool> known(count, false);
+  const auto texelOf = [&](const Vec3i& cell) {
+    const Vec3i at = cell - low;
+    return std::size_t((at.z() * map->dims.y() + at.y()) * map->dims.x() + at.x());
+  };
   const Lattice& cells = organ.organ.rest.lattice;
   for (const HeatedSpot& s : heat.spots()) {
-    const Vec3i at = lattice.cell(s.index) - low;
-    const std::size_t texel =
-        std::size_t((at.z() * map->dims.y() + at.y()) * map->dims.x() + at.x());
+    const std::size_t texel = texelOf(lattice.cell(s.index));
+    known[texel] = true;
     map->texels[2 * texel] = toByte(s.coagulated);
     map->texels[2 * texel + 1] = toByte(s.charred);
     const Vec3 rest = lattice.centre(lattice.cell(s.index));
     const auto cell = cells.cellAt(rest);
     if (cell && organ.tissue->solid(cells.index(*cell)))
       map->box.grow(Vec3(rest + organ.tissue->displacement(cells.index(*cell))));
+  }
+  // The surface lies between heated tissue and cells without tissue. These continue the tissue's
+  // shares: else interpolation would halve them at the surface.
+  for (const HeatedSpot& s : heat.spots()) {
+    const Vec3i cell = lattice.cell(s.index);
+    const std::size_t from = texelOf(cell);
+    if (map->texels[2 * from] == 0) continue;
+    for (int d = 0; d < kDirections; ++d) {
+      const Vec3i beside = cell + offsetOf(d);
+      const std::size_t to = texelOf(beside);
+      if (known[to]) continue;
+      if (isTissue(organ.organ, lattice.centre(beside))) {
+        known[to] = true;
+        continue;
+      }
+      for (const std::size_t k : {0u, 1u})
+        map->texels[2 * to + k] = std::max(map->texels[2 * to + k], map->texels[2 * from + k]);
+    }
   }
   if (!map->box.empty()) map->box = map->box.padded(2 * cells.spacing.x());
   return map;

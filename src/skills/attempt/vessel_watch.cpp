@@ -2,37 +2,10 @@
 
 #include <algorithm>
 
+#include "anatomy/vessel_closure.h"
+
 namespace resect {
 namespace {
-
-bool clippedUpstream(const Organ& organ, std::int32_t segment, double reach) {
-  const std::vector<VesselSegment>& segments = organ.map->anatomy.segments;
-  for (segment = segments[std::size_t(segment)].parent; segment >= 0 && reach > 0;) {
-    if (organ.vessels.clipped(segment)) return true;
-    reach -= segments[std::size_t(segment)].length();
-    segment = segments[std::size_t(segment)].parent;
-  }
-  return false;
-}
-
-// Whether a clip sits on a segment that `segment` feeds.
-bool clippedDownstream(const Organ& organ, std::int32_t segment, double reach) {
-  const std::vector<VesselSegment>& segments = organ.map->anatomy.segments;
-  return std::ranges::any_of(organ.vessels.clips, [&](const VesselClip& clip) {
-    double way = 0;
-    std::int32_t at = clip.segment;
-    while (at > segment && way < reach) {  // a segment comes after those that feed it
-      way += segments[std::size_t(at)].length();
-      at = segments[std::size_t(at)].parent;
-    }
-    return at == segment && clip.segment != segment;
-  });
-}
-
-bool allClosed(const Organ& organ, const VesselInjury& injury) {
-  return isClosed(organ, injury, VesselEnd::Root) &&
-         (!injury.severed() || isClosed(organ, injury, VesselEnd::Far));
-}
 
 // The tool that cuts in this frame: of several the one that made the last cut.
 int cuttingTool(const StepReport& report) {
@@ -56,8 +29,10 @@ VesselStory storyOf(const Simulation& simulation, std::int32_t o, const VesselIn
   story.name = organ.map->nameOf(injury.segment);
   story.place = s.at(0.5 * (injury.from + injury.to));
   story.cut = simulation.time();
-  story.clippedRoot = isClosed(organ, injury, VesselEnd::Root);
-  story.clippedFar = isClosed(organ, injury, VesselEnd::Far);
+  const auto closed = [&](VesselEnd end) {
+    return isClosed(organ.map->anatomy, organ.vessels, injury, end);
+  };
+  story.clippedRoot = closed(VesselEnd::Root), story.clippedFar = closed(VesselEnd::Far);
   return story;
 }
 
@@ -72,18 +47,12 @@ void VesselWatch::begin(const Simulation& simulation, Attempt& attempt) const {
     }
 }
 
-bool isClosed(const Organ& organ, const VesselInjury& injury, VesselEnd end, double reach) {
-  if (injury.isSealed(end) || organ.vessels.clipped(injury, end)) return true;
-  return end == VesselEnd::Root ? clippedUpstream(organ, injury.segment, reach)
-                                : clippedDownstream(organ, injury.segment, reach);
-}
-
 void VesselWatch::addClips(const Simulation& simulation, Attempt& attempt) {
   clips_.resize(simulation.organs().size(), 0);
   for (std::size_t o = 0; o < clips_.size(); ++o) {
     const Organ& organ = simulation.organs()[o].organ;
     const std::vector<VesselClip>& clips = organ.vessels.clips;
-    if (clips.size() <= clips_[o]) continue;
+    if (clips.size() == clips_[o]) continue;
     // They are kept in the order of the segments: find those that are not known yet. Heat closes
     // vessels too, but places no clip.
     for (const VesselClip& clip : clips) {
@@ -127,7 +96,7 @@ void VesselWatch::add(const Simulation& simulation, const StepReport& report, At
     const VesselInjury* injury = organ.vessels.injury(story.segment);
     if (!injury) continue;
     story.severed = injury->severed();
-    if (!allClosed(organ, *injury))
+    if (!isClosed(organ.map->anatomy, organ.vessels, *injury))
       story.closed.reset();
     else if (!story.closed)
       story.closed = simulation.time();

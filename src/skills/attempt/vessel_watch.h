@@ -26,10 +26,4 @@ class VesselWatch {
   bool occluded_ = false;
 };
 
-// Whether an end of a cut vessel cannot bleed, because the end is sealed or a clip closes it. The
-// clip may be on the cut segment itself. It may also be on another segment at most `reach`, m, away
-// along the vessels. For the root end, this other segment must feed the cut segment. For the far
-// end, the cut segment must feed the other segment.
-bool isClosed(const Organ& organ, const VesselInjury& injury, VesselEnd end, double reach = 0.03);
-
 }  // namespace resect

@@ -10,14 +10,17 @@ namespace resect::test {
 
 inline const Vec3 kCut(0.0321, 0.0151, 0.0301);  // where the vein is cut
 
-// A block of 60 x 30 x 60 mm of still tissue with a vein of 4 mm along x, and an instrument far
-// away.
-inline Simulation bleedingBlock() {
+// A block of 60 x 30 x 60 mm of still tissue with a portal vein of 4 mm along x, and an instrument
+// far away.
+inline Anatomy portalVeinAlongX() {
+  return straightVessel(VesselKind::PortalVein, Vec3(-0.02, kCut.y(), kCut.z()),
+                        Vec3(0.05, kCut.y(), kCut.z()), 0.002);
+}
+inline Simulation bleedingBlock(const Anatomy& anatomy = portalVeinAlongX()) {
   Discretization cells = fullBlock({12, 6, 12});
   cells.lattice.origin = Vec3::Constant(0.0025);
   Organ organ = makeOrgan(std::move(cells), {});
-  organ.map = makeVesselMap(straightVessel(VesselKind::PortalVein, Vec3(-0.02, kCut.y(), kCut.z()),
-                                           Vec3(0.05, kCut.y(), kCut.z()), 0.002));
+  organ.map = makeVesselMap(anatomy);
   std::vector<std::unique_ptr<Tool>> tools;
   tools.push_back(boxTool({{-0.001, -0.001, 0}, {0.001, 0.001, 0.06}}, "bipolar", ""));
   return Simulation(std::move(organ), std::move(tools));

@@ -1,0 +1,41 @@
+#include "operation/blood/dangers.h"
+
+#include <fmt/format.h>
+
+namespace resect {
+namespace {
+
+constexpr int kGravest = 4;          // VIBe
+constexpr double kAirBorne = 50e-6;  // m^3
+constexpr double kClasses[] = {0.15, 0.3,
+                               0.4};  // shares of the blood above which II, III, IV begin
+
+}  // namespace
+
+std::vector<std::string> dangersOf(const BloodSummary& blood) {
+  std::vector<std::string> sentences;
+  if (bleedingGrade(blood.rate) >= kGravest) {
+    const CutVesselSummary* most = nullptr;
+    for (const CutVesselSummary& v : blood.vessels)
+      if (v.flow > 0 && (!most || v.flow > most->flow)) most = &v;
+    sentences.push_back(fmt::format(
+        "at the end {:.0f} ml/min bleed, grade 4 of 4{}", 60e6 * blood.rate,
+        most
+            ? fmt::format(", most of it from the {} of {:.1f} mm", most->name, 1e3 * most->diameter)
+            : ""));
+  }
+  const double bled = toCubicMetres(blood.ledger.bled), share = bled / Circulation{}.volume;
+  if (share > kClasses[0])
+    sentences.push_back(
+        fmt::format("{:.0f} ml of blood are lost, {:.0f} % of all: haemorrhage of class {}",
+                    1e6 * bled, 100 * share,
+                    share > kClasses[2]   ? "IV"
+                    : share > kClasses[1] ? "III"
+                                          : "II"));
+  if (blood.air > kAirBorne)
+    sentences.push_back(fmt::format(
+        "open hepatic veins drew in {:.0f} ml of air; 200 to 300 ml kill", 1e6 * blood.air));
+  return sentences;
+}
+
+}  // namespace resect
