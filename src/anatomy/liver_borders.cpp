@@ -10,9 +10,9 @@ namespace resect {
 namespace {
 
 // Settings of the score of a plane.
-constexpr double kNear = 0.012;  // m: distance from the plane up to which vessels count
-constexpr double kPortal = 0.5;  // weight of portal veins; that of hepatic veins is 1
-constexpr double kUsual = 0.08;  // what is taken off for a share at a bound
+constexpr double kNearPlane = 0.012;  // m: distance from the plane up to which vessels count
+constexpr double kPortal = 0.5;       // weight of portal veins; that of hepatic veins is 1
+constexpr double kUnusual = 0.08;     // what is taken off for a share at a bound
 
 // Lumen of the vessels of a kind near the half-plane at an angle, as a share of the lumen of all;
 // nearer vessels count more.
@@ -26,7 +26,7 @@ double nearPlane(const Anatomy& anatomy, const LiverFrame& frame, VesselKind kin
     const double lumen = s.radius * s.radius * s.length();
     const Vec3 way = s.at(0.5) - frame.cava;
     all += lumen;
-    if (way.dot(out) > 0) sum += lumen * std::max(0.0, 1 - std::abs(way.dot(normal)) / kNear);
+    if (way.dot(out) > 0) sum += lumen * std::max(0.0, 1 - std::abs(way.dot(normal)) / kNearPlane);
   }
   return sum / all;
 }
@@ -52,7 +52,7 @@ double bestPlane(const Anatomy& anatomy, const LiverFrame& frame, std::vector<do
     const double angle = below(angles, share.usual + off * share.off);
     const double score = nearPlane(anatomy, frame, VesselKind::HepaticVein, angle) -
                          kPortal * nearPlane(anatomy, frame, VesselKind::PortalVein, angle) -
-                         kUsual * off * off;
+                         kUnusual * off * off;
     if (score > most) most = score, best = angle;
   }
   return best;

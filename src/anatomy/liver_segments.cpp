@@ -1,7 +1,6 @@
 #include "anatomy/liver_segments.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "anatomy/liver_borders.h"
 
@@ -26,39 +25,17 @@ constexpr double kWhole = 0.85;
 
 }  // namespace
 
-// Terminals are looked at in the order of their heights, away from the place's own height, until
-// none can be nearer than those found.
-template <std::size_t Count>
-LiverSegments::Nearest<Count> LiverSegments::nearest(const Vec3& place) const {
-  Nearest<Count> found;
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  found.fill({kNone, &terminals_.front()});
-  const double height = frame_.height(place);
-  auto up = std::ranges::lower_bound(terminals_, height, {}, &Terminal::height), down = up;
-  for (;;) {
-    const double above = up == terminals_.end() ? kNone : up->height - height;
-    const double below = down == terminals_.begin() ? kNone : height - (down - 1)->height;
-    const double least = std::min(above, below);
-    if (!(least < kNone) || least * least >= found.back().first) return found;
-    const Terminal& t = above <= below ? *up++ : *--down;
-    const double d = (t.end - place).squaredNorm();
-    if (d >= found.back().first) continue;
-    std::size_t k = Count - 1;
-    for (; k > 0 && found[k - 1].first > d; --k) found[k] = found[k - 1];
-    found[k] = {d, &t};
-  }
-}
-
 int LiverSegments::at(const Vec3& place) const {
   constexpr double kNear = 0.01;  // m: no terminal counts much more than one at this distance
   std::array<double, kLiverSegments> votes{};
-  for (const auto& [d, terminal] : nearest<8>(place))
-    votes[std::size_t(terminal->segment - 1)] += 1 / (d + kNear * kNear);
+  for (const auto& [squared, terminal] : nearest_(place))
+    votes[std::size_t(terminals_[std::size_t(terminal)].segment - 1)] +=
+        1 / (squared + kNear * kNear);
   return int(std::ranges::max_element(votes) - votes.begin()) + 1;
 }
 
 int LiverSegments::nearestSegment(const Vec3& place) const {
-  return nearest<1>(place)[0].second->segment;
+  return terminals_[std::size_t(nearest_(place)[0].place)].segment;
 }
 
 std::optional<LiverSegments> LiverSegments::find(const Anatomy& anatomy) {
@@ -69,8 +46,10 @@ std::optional<LiverSegments> LiverSegments::find(const Anatomy& anatomy) {
   const VesselRange portal = anatomy.range(VesselKind::PortalVein);
   for (std::int32_t i = portal.first; i < portal.first + portal.count; ++i)
     if (const VesselSegment& s = anatomy.segments[std::size_t(i)]; s.leaf)
-      found.terminals_.push_back({s.end, i, frame->height(s.end), 0});
-  std::ranges::stable_sort(found.terminals_, {}, &Terminal::height);
+      found.terminals_.push_back({s.end, i, 0});
+  std::vector<Vec3> ends;
+  for (const Terminal& t : found.terminals_) ends.push_back(t.end);
+  found.nearest_ = EightNearest(std::move(ends));
   found.takeCaudate();
   found.divide(anatomy);
   found.followBranches(anatomy);
@@ -116,7 +95,7 @@ void LiverSegments::divide(const Anatomy& anatomy) {
   };
   const auto upwards = [&](int all, int lower, int upper, const PartShare& share) {
     part(
-        all, lower, upper, [](const Terminal& t) { return t.height; },
+        all, lower, upper, [&](const Terminal& t) { return frame_.height(t.end); },
         [&](const auto& heights) { return bestLevel(heights, share); });
   };
   sideways(0, 5, 4, kRight);
