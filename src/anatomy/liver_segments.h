@@ -5,22 +5,16 @@
 // branches of the portal vein, and hepatic veins run between the segments (terms: Strasberg et al.
 // 2000, doi:10.1080/136518200750032032).
 //
-// First the liver is divided into three territories, each supplied by branches of the portal vein.
-// The leftmost branch supplies the left liver. In the right liver, the rightmost branch supplies
-// the posterior section (VI and VII), and the other branches supply the anterior section (V and
-// VIII). The territory of a point is decided by a vote of the 12 branch ends nearest to the point;
-// the vote of a nearer end counts more.
+// The terminals of the portal vein are divided among the segments; each stands for the same volume
+// of the liver. The caudate, I, gets those that are nearest to the line from the place where the
+// portal vein begins to the place where the hepatic veins meet. Three half-planes from an axis near
+// the vena cava part the others into sections; they run where the right, middle and left hepatic
+// vein should be. Levels part VII from VI, VIII from V, and II from III. Where the veins leave a
+// choice, a border is chosen that gives both parts a usual share of the liver (liver_borders.h).
+// Then a branch of the portal vein nearly all of whose terminals are in one segment is given to
+// this segment as a whole. So the borders go between branches.
 //
-// Then the territories are divided into segments. In the left liver, the plane of the left hepatic
-// vein separates IV from II and III. Planes at the height of the portal vein's fork separate VI
-// from VII, V from VIII, and III from II. Such a plane is moved up or down until at least 30 % of
-// the terminals that it divides lie on each side. The caudate lobe, I, lies round the line from the
-// fork to the vena cava, behind this line.
-//
-// The axis of the vena cava is the line from the portal vein's fork to the point where the hepatic
-// veins meet. The middle hepatic vein has a right side and a left side. The side with more
-// terminals of the portal vein is taken as the right side. So right and left are exchanged in a
-// mirrored liver, and in a liver whose left half is larger than its right half.
+// A point belongs to the segment of the portal terminals near it.
 #pragma once
 
 #include <array>
@@ -31,6 +25,8 @@
 #include <vector>
 
 #include "anatomy/anatomy.h"
+#include "anatomy/eight_nearest.h"
+#include "anatomy/liver_frame.h"
 
 namespace resect {
 
@@ -42,45 +38,41 @@ std::string_view romanNumber(int segment);
 class LiverSegments {
  public:
   // The result is empty if the portal vein has fewer than 20 terminals, or if the hepatic veins do
-  // not have three main branches.
+  // not have three main branches. Cost: 30 ms for 1000 terminals.
   static std::optional<LiverSegments> find(const Anatomy& anatomy);
 
-  // The number, 1 to 8, of the Couinaud segment in which a point lies. place: in rest space, m.
+  // The number, 1 to 8, of the Couinaud segment in which a point lies. place: in rest space, m. The
+  // eight nearest terminals of the portal vein vote; a nearer one counts more.
   int at(const Vec3& place) const;
   // The name of a vessel, which says what part of the liver the vessel supplies or drains.
   // Examples: "right anterior portal vein", "portal branch of segment VI". segment: index, in the
   // anatomy, of any piece of the vessel.
   std::string nameOf(const Anatomy& anatomy, std::int32_t segment) const;
   // The Couinaud segments that a vessel supplies or drains: bit s - 1 stands for Couinaud segment
-  // s. The bit is set if more than a tenth of the vessel's terminals lie in s. It is also set if
-  // the vessel has more than half of all terminals that vessels of its kind have in s. A segment
-  // that the vessel's parent does not supply is left out. If this leaves no segment, the vessel has
-  // the set of its parent. segment: index of a piece of the vessel.
+  // s. The bit is set if more than a tenth of the vessel's terminals belong to s. It is also set if
+  // the vessel has more than half of all terminals that vessels of its kind have in s. A terminal
+  // belongs to the segment of the portal vein's terminal that is nearest to it. segment: index of a
+  // piece of the vessel.
   std::uint8_t territory(std::int32_t segment) const { return territory_[std::size_t(segment)]; }
+  // The directions from which the segments were found.
+  const LiverFrame& frame() const { return frame_; }
 
  private:
-  enum class Section : std::uint8_t { Posterior, Anterior, Left };
   struct Terminal {  // an end of the portal vein
     Vec3 end = Vec3::Zero();
-    Section section = Section::Left;
+    std::int32_t vessel = 0;  // index of the vessel's piece in the anatomy
+    int segment = 0;          // 1 to 8; 0: none yet
   };
 
-  void setAxes(const Anatomy& anatomy, const std::vector<std::int32_t>& trunks);
-  void setSections(const Anatomy& anatomy, std::int32_t fork);
-  void setLevels();
+  void takeCaudate();
+  void divide(const Anatomy& anatomy);
+  void followBranches(const Anatomy& anatomy);
   void nameVessels(const Anatomy& anatomy);
-  Section sectionAt(const Vec3& place) const;
-  double height(const Vec3& place) const { return (place - fork_).dot(up_); }  // above the fork, m
-  // Angle about the axis of the vena cava, rad, measured from ahead_ towards left_.
-  double angle(const Vec3& place) const;
+  int nearestSegment(const Vec3& place) const;
 
-  // fork_: the portal vein's fork. cava_: the point where the hepatic veins meet. Both in m.
-  Vec3 fork_ = Vec3::Zero(), cava_ = Vec3::Zero();
-  // Unit vectors. up_ has the direction of the vena cava's axis.
-  Vec3 up_ = Vec3::Zero(), ahead_ = Vec3::Zero(), left_ = Vec3::Zero();
-  std::array<double, 3> veins_{};   // angle() of the right, middle and left hepatic vein
-  std::array<double, 2> levels_{};  // heights, m, of the planes: [0] right liver, [1] left liver
+  LiverFrame frame_;
   std::vector<Terminal> terminals_;
+  EightNearest nearest_;  // of the terminals' ends
   std::vector<std::uint8_t> territory_;
   // Per segment of the anatomy, the hepatic vein to which the segment belongs. 0: right; 1: middle;
   // 2: left; -1: the segment belongs to none of these three veins.

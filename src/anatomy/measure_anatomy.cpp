@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <numbers>
 
 #include "anatomy/vessel_index.h"
@@ -28,6 +30,20 @@ std::vector<int> strahlerOrders(const Anatomy& anatomy) {
       ++n;
   }
   return order;
+}
+
+// Calls a function with each point of a regular grid that lies inside the surface.
+template <class Function>
+void forPointsInside(const TriangleMesh& surface, const Function& function) {
+  const SignedDistance distance(surface, 0.01, kGrid);
+  const Aabb box = bounds(surface);
+  const Vec3i count = (box.size() / kGrid).array().ceil().cast<int>();
+  for (int z = 0; z < count.z(); ++z)
+    for (int y = 0; y < count.y(); ++y)
+      for (int x = 0; x < count.x(); ++x) {
+        const Vec3 place = box.min + kGrid * (Vec3(x, y, z) + Vec3::Constant(0.5));
+        if (distance(place).distance < 0) function(place);
+      }
 }
 
 }  // namespace
@@ -83,38 +99,52 @@ AnatomyMeasures measure(const Anatomy& anatomy, const TriangleMesh& surface) {
   return all;
 }
 
+TerminalDistance terminalDistance(const Anatomy& anatomy, const TriangleMesh& surface) {
+  std::vector<Vec3> ends;
+  const VesselRange portal = anatomy.range(VesselKind::PortalVein);
+  for (std::int32_t i = portal.first; i < portal.first + portal.count; ++i)
+    if (anatomy.segments[std::size_t(i)].leaf) ends.push_back(anatomy.segments[std::size_t(i)].end);
+  TerminalDistance found;
+  if (ends.empty()) return found;
+  double sum = 0;
+  std::int64_t count = 0;
+  forPointsInside(surface, [&](const Vec3& place) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vec3& end : ends) least = std::min(least, (end - place).squaredNorm());
+    const double distance = std::sqrt(least);
+    found.largest = std::max(found.largest, distance);
+    sum += distance, ++count;
+  });
+  if (count > 0) found.mean = sum / double(count);
+  return found;
+}
+
 std::array<double, kLiverSegments> segmentVolumes(const LiverSegments& segments,
                                                   const TriangleMesh& surface) {
-  const SignedDistance distance(surface, 0.01, kGrid);
   std::array<double, kLiverSegments> volumes{};
-  const Aabb box = bounds(surface);
-  const Vec3i count = (box.size() / kGrid).array().ceil().cast<int>();
-  for (int z = 0; z < count.z(); ++z)
-    for (int y = 0; y < count.y(); ++y)
-      for (int x = 0; x < count.x(); ++x) {
-        const Vec3 place = box.min + kGrid * (Vec3(x, y, z) + Vec3::Constant(0.5));
-        if (distance(place).distance < 0)
-          volumes[std::size_t(segments.at(place) - 1)] += kGrid * kGrid * kGrid;
-      }
+  forPointsInside(surface, [&](const Vec3& place) {
+    volumes[std::size_t(segments.at(place) - 1)] += kGrid * kGrid * kGrid;
+  });
   return volumes;
 }
 
 std::vector<NamedVessel> namedVessels(const Anatomy& anatomy, const LiverSegments& segments,
                                       std::int32_t terminals) {
-  std::vector<std::int32_t> count(anatomy.segments.size(), 0);
-  for (std::size_t i = count.size(); i-- > 0;) {
-    count[i] += anatomy.segments[i].leaf;
-    if (anatomy.segments[i].parent >= 0) count[std::size_t(anatomy.segments[i].parent)] += count[i];
-  }
+  const std::vector<std::int32_t> count = terminalsOf(anatomy);
   std::vector<NamedVessel> found;
   std::vector<std::string> names;
+  std::map<std::string, std::int32_t> largest;  // terminals of the largest vessel of each name
   for (std::size_t i = 0; i < count.size(); ++i) {
     const VesselSegment& s = anatomy.segments[i];
     names.push_back(segments.nameOf(anatomy, std::int32_t(i)));
-    const bool own = s.parent < 0 || names[std::size_t(s.parent)] != names[i];
-    if (own && count[i] >= terminals)
-      found.push_back({names[i], s.kind, std::int32_t(i), s.radius, count[i]});
+    if (s.parent >= 0 && names[std::size_t(s.parent)] == names[i]) continue;
+    found.push_back({names[i], s.kind, std::int32_t(i), s.radius, count[i]});
+    std::int32_t& most = largest[names[i]];
+    most = std::max(most, count[i]);
   }
+  std::erase_if(found, [&](const NamedVessel& v) {
+    return v.terminals < terminals && v.terminals < largest[v.name];
+  });
   return found;
 }
 

@@ -35,6 +35,13 @@ struct AnatomyMeasures {
 // anatomy.
 AnatomyMeasures measure(const Anatomy& anatomy, const TriangleMesh& surface);
 
+// Distances from points of the organ, which are 2.5 mm apart, to the nearest terminal of the portal
+// vein, m. Both are 0 if there is no terminal.
+struct TerminalDistance {
+  double mean = 0, largest = 0;
+};
+TerminalDistance terminalDistance(const Anatomy& anatomy, const TriangleMesh& surface);
+
 // Volumes of Couinaud's segments I to VIII in the organ, m^3, computed from points 2.5 mm apart.
 std::array<double, kLiverSegments> segmentVolumes(const LiverSegments& segments,
                                                   const TriangleMesh& surface);
@@ -48,8 +55,8 @@ struct NamedVessel {
   double radius = 0;           // of the first segment, m
   std::int32_t terminals = 0;  // number in the subtree from the first segment on
 };
-// The vessels with at least `terminals` terminals, in the order of their first segments in the
-// anatomy.
+// The vessels with at least `terminals` terminals, and the largest vessel of each name, in the
+// order of their first segments in the anatomy.
 std::vector<NamedVessel> namedVessels(const Anatomy& anatomy, const LiverSegments& segments,
                                       std::int32_t terminals);
 

@@ -47,6 +47,11 @@ Option Option::oneValueEach() const {
   return *this;
 }
 
+Option Option::valueOr(const std::string& instead) const {
+  option_->expected(0, 1)->default_str(instead);
+  return *this;
+}
+
 Option Option::needs(Option other) const {
   option_->needs(other.option_);
   return *this;

@@ -25,8 +25,12 @@ class Option {
   Option range(double least, double most) const;                // both included
   Option notNegative() const;                                   // a number, 0 or more
   Option oneOf(const std::vector<std::string>& choices) const;  // the value must be one of these
-  Option values(int count) const;       // takes this number of values, one after the other
-  Option oneValueEach() const;          // takes one value each time the option is given
+  Option values(int count) const;  // takes this number of values, one after the other
+  Option oneValueEach() const;     // takes one value each time the option is given
+  // The value may be left out; it is then `instead`. An argument that follows and does not begin
+  // with
+  // "-", or is "-" alone, is taken for the value.
+  Option valueOr(const std::string& instead) const;
   Option needs(Option other) const;     // allowed only together with the other option
   Option excludes(Option other) const;  // not allowed together with the other option
   bool given() const;                   // valid after the command line was parsed

@@ -57,7 +57,16 @@ class Brought(unittest.TestCase):
             self.assertGreaterEqual(grown["vessels"][kind]["terminals"], least, kind)
             self.assertEqual(grown["vessels"][kind]["outside_mm"], 0, kind)
         self.assertEqual(set(grown["crossings"].values()), {0})
-        own = json.loads(resect("anatomy", "--json").stdout)["couinaud"]["segments_ml"]
+        whole = json.loads(resect("anatomy", "--json").stdout)
+        self.assertEqual(json.loads(resect("anatomy", "--json", "-").stdout), whole)
+        resect("anatomy", "--json", FOLDER / "anatomy.json")
+        self.assertEqual(json.loads((FOLDER / "anatomy.json").read_text()), whole)
+        self.assertLess(whole["to_portal_terminal_mm"]["mean"], 7)
+        self.assertLess(whole["to_portal_terminal_mm"]["largest"], 25)
+        for segment in ("I", "II", "III", "IV", "V", "VI", "VII", "VIII"):
+            for kind in ("portal branch", "artery", "bile duct"):
+                self.assertIn(f"{kind} of segment {segment}", [branch["name"] for branch in whole["couinaud"]["branches"]])
+        own = whole["couinaud"]["segments_ml"]
         for segment, ml in grown["couinaud"]["segments_ml"].items():
             self.assertLess(abs(ml - own[segment]), 0.3 * own[segment], segment)
 

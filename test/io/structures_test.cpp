@@ -7,7 +7,10 @@
 
 #include <numbers>
 
+#include "anatomy/plausible_segments.h"
+#include "anatomy/structure_kind.h"
 #include "anatomy/vessel_mesh.h"
+#include "anatomy/visible_human.h"
 #include "geometry/measures.h"
 #include "geometry/primitives.h"
 #include "io/scenario/scenario_file.h"
@@ -223,4 +226,18 @@ TEST_CASE("a cavity that is a part of the organ's own file is no part of the org
   CHECK_FALSE(test::tells(fmt::format("{}", fmt::join(notes, "\n")), "facing outwards"));
   source.part = "wall\nwithout lumen";
   CHECK(volume(loadOrganMesh(source, readParts)) == doctest::Approx(box - ball).epsilon(1e-3));
+}
+
+TEST_CASE("the segments of a liver with brought veins are plausible") {
+  const auto liver = test::visibleHumanLiver();
+  const auto portal = test::sharedData("visible-human-male/VH_M_portal.obj");
+  const auto hepatic = test::sharedData("visible-human-male/VH_M_hepatic_veins.obj");
+  if (!liver || !portal || !hepatic) return;
+  OrganSource source;
+  source.structures = {{*structureKind("portal-vein"), 0, "", portal->string(), "", 1},
+                       {*structureKind("hepatic-vein"), 0, "", hepatic->string(), "", 1}};
+  const ModelReader reader = [](const std::filesystem::path& path, const std::string&) {
+    return Model{path.string(), "OBJ", {{"", test::readPlainObj(path.string())}}};
+  };
+  test::checkPlausible(vesselsOf(source, Pose(), *liver, reader, nullptr)->anatomy, *liver);
 }

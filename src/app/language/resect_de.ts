@@ -1470,6 +1470,18 @@
         <source>0, from the start</source>
         <translation>0, ab dem Beginn</translation>
     </message>
+    <message>
+        <source>portal branch of segments %1</source>
+        <translation>Pfortaderast der Segmente %1</translation>
+    </message>
+    <message>
+        <source>artery of segments %1</source>
+        <translation>Arterie der Segmente %1</translation>
+    </message>
+    <message>
+        <source>bile duct of segments %1</source>
+        <translation>Gallengang der Segmente %1</translation>
+    </message>
 </context>
 <context>
     <name>window</name>

@@ -19,6 +19,7 @@
 #include "io/data_folder.h"
 #include "io/mesh_file.h"
 #include "io/organ_mesh.h"
+#include "io/output/output_target.h"
 #include "io/output/run_files.h"
 #include "io/plain_mesh.h"
 #include "io/scenario/length.h"
@@ -30,11 +31,11 @@ namespace resect {
 namespace {
 
 struct AnatomyOptions {
-  std::string organ, unit = "m", out, meshes;
+  std::string organ, unit = "m", out, meshes, json;
   std::vector<std::string> structures;  // KIND=FILE
   std::vector<double> hilum, cava;
   int terminals = 1000, seed = 1;
-  bool json = false, flows = false, onlyFound = false;
+  bool flows = false, onlyFound = false;
 };
 
 constexpr double kOut = 0.02;  // m: how far outside the organ its large vessels begin
@@ -212,7 +213,7 @@ nlohmann::ordered_json flows(const Anatomy& anatomy) {
 }
 
 void anatomy(const AnatomyOptions& options) {
-  checkOutputs({{{"--output", options.out}, {"--json", options.json ? "-" : ""}}});
+  checkOutputs({{{"--output", options.out}, {"--json", options.json}}});
   const Grown grown = anatomyOf(options);
   if (!options.out.empty()) writeVessels(options.out, grown.anatomy);
   std::vector<std::string> written;
@@ -234,11 +235,17 @@ void anatomy(const AnatomyOptions& options) {
   const AnatomyMeasures measures = measure(grown.anatomy, grown.organ);
   nlohmann::ordered_json lost = nlohmann::ordered_json::array();
   if (options.flows) lost = flows(grown.anatomy);
-  if (options.json) {
+  const TerminalDistance distance = terminalDistance(grown.anatomy, grown.organ);
+  if (!options.json.empty()) {
     nlohmann::ordered_json json = toJson(measures);
+    if (distance.largest > 0)
+      json["to_portal_terminal_mm"] = {{"mean", 1e3 * distance.mean},
+                                       {"largest", 1e3 * distance.largest}};
     if (options.flows) json["flows"] = lost;
     if (segments) json["couinaud"] = segmentsJson(grown, *segments);
-    return writeJson("-", json);
+    writeJson(options.json, json);
+    if (isStandardOutput(options.json)) return;
+    written.push_back(options.json);
   }
   std::FILE* text = placeForText({options.out});
   int crossings = 0;
@@ -252,6 +259,10 @@ void anatomy(const AnatomyOptions& options) {
       crossings += measures.crossings[std::size_t(k)][std::size_t(other)];
   }
   printLine(text, "{} pairs of vessels of two kinds cross", crossings);
+  if (distance.largest > 0)
+    printLine(text,
+              "to the nearest end of the portal vein: {:.1f} mm in the mean, {:.1f} mm at most",
+              1e3 * distance.mean, 1e3 * distance.largest);
   if (segments) {
     std::string volumes;
     for (int k = 1; const double volume : segmentVolumes(*segments, grown.organ))
@@ -291,7 +302,10 @@ void addAnatomyCommand(Command app) {
                  "Folder for a mesh of each kind of vessel, and of the surface of each "
                  "segment (.ply)");
   command.flag("--flows", options->flows, "What vessels of some diameters lose when they are cut");
-  command.flag("--json", options->json, "Print JSON");
+  command
+      .option("--json", options->json,
+              "JSON file for the measures; - or nothing for standard output")
+      .valueOr("-");
   command.footer(
       "Examples:\n  resect anatomy --meshes trees && resect render trees/*.ply -o trees.png\n"
       "  resect anatomy --meshes trees && resect render trees/segment-*.ply -o segments.png\n"
