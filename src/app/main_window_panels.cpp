@@ -108,9 +108,9 @@ QString closedBy(const std::vector<BleedingEnd>& before, const std::vector<Bleed
   for (const BleedingEnd& end : before) {
     const bool bleeds = std::ranges::any_of(after, [&](const BleedingEnd& now) {
       return now.organ == end.organ && now.segment == end.segment && now.end == end.end &&
-             now.flow > kStopped * end.flow;
+             std::abs(now.flow) > kStopped * std::abs(end.flow);
     });
-    if (!bleeds && (!most || end.flow > most->flow)) most = &end;
+    if (!bleeds && (!most || std::abs(end.flow) > std::abs(most->flow))) most = &end;
   }
   if (!most) return Words::tr("A clip was placed on a vessel that does not bleed");
   std::string name;
@@ -118,7 +118,8 @@ QString closedBy(const std::vector<BleedingEnd>& before, const std::vector<Bleed
     name = s.organs()[std::size_t(most->organ)].organ.map->nameOf(most->segment);
   });
   const double flow = 60e6 * most->flow;  // ml/min
-  const QString bled = flow < 0.1
+  const QString bled = flow < 0 ? Words::tr("drew in air")
+                       : flow < 0.1
                            ? Words::tr("hardly bled")
                            : Words::tr("bled %1 ml/min").arg(flow, 0, 'f', flow < 10 ? 1 : 0);
   return Words::tr("A clip was placed: the %1 of %2 mm %3")

@@ -19,27 +19,23 @@ constexpr double kJetSpeed = 0.8;  // m/s: faster blood leaves an artery as a je
 constexpr double kFastestJet = 3;  // m/s
 constexpr double kFalls = -0.5;    // m: below the table a drop is lost
 constexpr double kPulse = 0.2, kHeart = 1.2;  // of the arterial pressure; Hz
-// Arterial pressure falls when more than this share of the blood is lost, to kLeastPressure at
-// kGravest: classes II to IV of haemorrhage (American College of Surgeons, ATLS 2018). From there
-// all flows fall to nothing, since no blood is left.
-constexpr double kBorne = 0.15, kGravest = 0.5, kLeastPressure = 0.4;
+// Arterial pressure falls when more than kBorneLoss of the blood is lost, to kLeastPressure at
+// kGravest. From there all flows fall to nothing, since no blood is left.
+constexpr double kGravest = 0.5, kLeastPressure = 0.4;
 constexpr double kStub = 0.5;  // spacings back along a vessel, where its blood leaves the tissue
 
 double pressureShare(double lost) {
-  const double share = std::clamp((lost - kBorne) / (kGravest - kBorne), 0.0, 1.0);
+  const double share = std::clamp((lost - kBorneLoss) / (kGravest - kBorneLoss), 0.0, 1.0);
   return 1 - share * (1 - kLeastPressure);
 }
 // The pressure of the vena cava falls with the blood lost, to nothing at this share, which is about
 // that of the blood that stretches the vessels (estimate).
 constexpr double kStretching = 0.3;
-// Air in the heart hinders it: pressures fall from the first volume, m^3, and are zero at the
-// second (200 to 300 ml at once kill an adult: Mirski et al. 2007,
-// doi:10.1097/00000542-200701000-00026).
-constexpr double kAirBorne = 50e-6, kDeadlyAir = 300e-6;
 constexpr int kSeekEvery = 12;  // frames with edits after which the parts of the tissue are sought
 
+// Share of its pressure that the heart keeps with this much air in it, m^3.
 double airShare(double air) {
-  return 1 - std::clamp((air - kAirBorne) / (kDeadlyAir - kAirBorne), 0.0, 1.0);
+  return 1 - std::clamp((air - kBorneAir) / (kDeadlyAir - kBorneAir), 0.0, 1.0);
 }
 
 // The height to which the pressures of the sources refer, m: that of the outer end of the portal

@@ -29,12 +29,12 @@ struct BloodLedger {
   Picolitres found() const { return film + clotted + drops + pools + sucked + absorbed + lost; }
 };
 
-// An open end of a vessel, out of which blood flows.
+// An open end of a vessel, out of which blood flows, or which draws in air.
 struct BleedingEnd {
   std::int32_t organ = 0, segment = -1;
   VesselEnd end = VesselEnd::Root;
   Vec3 place = Vec3::Zero();  // world, m
-  double flow = 0;            // m^3/s
+  double flow = 0;            // m^3/s; negative: of air, inwards
   double radius = 0;          // of the vessel, m
 };
 
@@ -42,7 +42,7 @@ struct BloodReport {
   BloodLedger ledger;
   double rate = 0;                // flow out of vessels and tissue, mean over the frame, m^3/s
   double airRate = 0;             // flow of air drawn into open hepatic veins, m^3/s
-  std::vector<BleedingEnd> ends;  // ends that bleed now, sorted by organ and segment
+  std::vector<BleedingEnd> ends;  // ends out of which blood flows now, sorted by organ and segment
 };
 
 // Grade of bleeding for a rate in m^3/s: from 0 (none) to 4 (life-threatening), on the VIBe scale

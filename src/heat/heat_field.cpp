@@ -83,12 +83,14 @@ double HeatField::between(const Vec3& place, double elsewhere, Value value) cons
 double HeatField::coagulatedTissue(const Vec3& place,
                                    const std::function<bool(const Vec3&)>& isTissue) const {
   double sum = 0, weights = 0;
-  visitCorners(place, [&](const Vec3i& cell, double weight, const HeatedSpot* spot) {
-    if (!spot && !isTissue(lattice_.centre(cell))) return;
-    weights += weight;
-    if (spot) sum += weight * spot->coagulated;
+  visitCorners(place, [&](const Vec3i&, double weight, const HeatedSpot* spot) {
+    if (spot) sum += weight * spot->coagulated, weights += weight;
   });
-  return weights > 0 ? sum / weights : 0;
+  if (sum == 0) return 0;
+  visitCorners(place, [&](const Vec3i& cell, double weight, const HeatedSpot* spot) {
+    if (!spot && isTissue(lattice_.centre(cell))) weights += weight;  // not heated
+  });
+  return sum / weights;
 }
 
 double HeatField::temperature(const Vec3& place) const {

@@ -93,8 +93,15 @@ class Organs(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertIn("leave out --strict", done.stderr)
         self.assertEqual(resect("run", "cut-120", "--strict").returncode, 0)
+        # What the scalpel alone does not promise, it does not do: --without leaves it on the tray.
+        done = resect("run", "bleed", "--spacing", "20mm", "--without", "scalpel", "--strict")
+        self.assertEqual((done.returncode, "0.0 ml bled" in done.stdout), (1, True))
+        self.assertIn("no blood was lost", done.stderr)
+        done = resect("run", "bleed", "--without", "saw")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn('names "saw", which this scenario does not have; it has scalpel, hook', done.stderr)
         miss.write_text('title = "A cut"\npromises = ["glory"]\nduration = 0.6\n')
-        self.assertIn("use removal, cut, push, parts or blood", resect("run", miss).stderr)
+        self.assertIn("use some of these: removal, cut, push, parts, blood, dry", resect("run", miss).stderr)
 
     def box_of_cells(self, *args):
         """The box, mm, of a body from 10 to 110, 0 to 60 and 0 to 30 mm along the model's axes."""

@@ -88,13 +88,13 @@ SEEN_WITH_INFLOW = (
     (-0.0150, 0.0279, 0.0483), (-0.0222, 0.0312, 0.0456), (-0.0235, 0.0365, 0.0475),
 )
 # Where the walls of the groove ooze.
-OOZES = ((-0.014, 0.030, 0.0385), (-0.022, 0.034, 0.0505), (-0.030, 0.048, 0.0385), (-0.030, 0.048, 0.0500), (-0.022, 0.040, 0.0385), (-0.013, 0.036, 0.0500), (-0.006, 0.034, 0.0385))
-
-
-# Ends of thin vessels in the groove, those that bleed most first.
+OOZES = (
+    (-0.014, 0.030, 0.0385), (-0.022, 0.034, 0.0505), (-0.030, 0.048, 0.0385), (-0.030, 0.048, 0.0500),
+    (-0.022, 0.040, 0.0385), (-0.013, 0.036, 0.0500), (-0.006, 0.034, 0.0385),
+)
+# Thin vessels in the groove, which are sealed before those beside them are divided.
 OPENED = (
-    (-0.0306, 0.0317, 0.0471),
-    (-0.0223, 0.0208, 0.0468), (-0.0350, 0.0289, 0.0462), (-0.0330, 0.0263, 0.0450), (-0.0110, 0.0150, 0.0454),
+    (-0.0306, 0.0317, 0.0471), (-0.0223, 0.0208, 0.0468), (-0.0350, 0.0289, 0.0462), (-0.0330, 0.0263, 0.0450), (-0.0110, 0.0150, 0.0454),
     (-0.0064, 0.0243, 0.0480), (-0.0017, 0.0205, 0.0461), (-0.0347, 0.0384, 0.0433), (-0.0380, 0.0380, 0.0479),
     (-0.0318, 0.0442, 0.0496), (-0.0268, 0.0267, 0.0468), (-0.0201, 0.0261, 0.0447), (-0.0222, 0.0271, 0.0417),
     (-0.0177, 0.0196, 0.0459), (-0.0122, 0.0222, 0.0464), (-0.0070, 0.0261, 0.0398),
@@ -110,7 +110,7 @@ def skin(x):
 
 def transect():
     """A part of a left lateral sectionectomy: inflow clamped, capsule scored, parenchyma aspirated over 6 cm^2, three
-    vessels clipped and divided, what bleeds coagulated, the inflow opened again, the field sucked dry."""
+    vessels clipped, thin ones sealed, all divided, the inflow opened again, what still bleeds coagulated."""
     z = VESSEL[2]
     clamp = Path3(handle=(0.75, 0.66, 0.1), edge=(0.66, -0.75, 0), speed=0.25)
     clamp.wait(0.6)

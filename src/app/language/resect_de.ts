@@ -2754,6 +2754,10 @@
         <translation>blutete kaum</translation>
     </message>
     <message>
+        <source>drew in air</source>
+        <translation>saugte Luft an</translation>
+    </message>
+    <message>
         <source>bled %1 ml/min</source>
         <translation>blutete mit %1 ml/min</translation>
     </message>

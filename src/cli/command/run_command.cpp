@@ -35,6 +35,7 @@ namespace {
 
 struct RunOptions {
   std::string scenario, organ, breathing, record, surface, pieces, plot, json;
+  std::vector<std::string> without;  // instruments
   PictureOptions pictures;
   int threads = 0;
   bool list = false, thesis = false, overwrite = false, strict = false;
@@ -48,6 +49,20 @@ void listScenarios() {
   for (const std::string& name : shippedNames("scenarios", ".toml"))
     printLine(stdout, "{:<24} {}", name,
               readScenario(dataFolder() / "scenarios" / (name + ".toml")).title);
+}
+
+// Takes instruments out of the scenario's hands.
+void leaveOnTray(Scenario& scenario, const std::vector<std::string>& instruments) {
+  for (const std::string& name : instruments) {
+    const auto tool = std::ranges::find(scenario.tools, name, &ScenarioTool::model);
+    if (tool == scenario.tools.end()) {
+      std::string known;
+      for (const ScenarioTool& t : scenario.tools) known += (known.empty() ? "" : ", ") + t.model;
+      throw usageError("--without names \"{}\", which this scenario does not have; it has {}", name,
+                       known);
+    }
+    tool->keys.clear();
+  }
 }
 
 std::vector<std::string> writePieces(const RunOptions& options, const Simulation& simulation) {
@@ -92,6 +107,7 @@ void run(const RunOptions& options, const OrganOptions& organOptions) {
 
   Scenario scenario = readScenario(findScenario(options.scenario));
   organOptions.applyTo(scenario, options.organ);
+  leaveOnTray(scenario, options.without);
   options.pictures.applyTo(scenario);
   setBreathing(scenario, options.breathing);
   if (options.thesis) {
@@ -177,6 +193,8 @@ void addRunCommand(Command app) {
   command.option(
       "--organ", options->organ,
       "Another organ: model or file of particles, or a built-in one: " + builtInOrgans());
+  command.option("--without", options->without,
+                 "Instruments of the scenario that stay on the tray, to see what they do");
   command.flag("--strict", options->strict,
                "Exit status 1 if an instrument met no organ, or the title is not true of the run");
   auto organ = addOrganOptions(command);

@@ -85,7 +85,8 @@ void OperatingSession::showBleeding() {
   if (hand && hand->style.seeks > 0) {
     const bool clips = toolModels_[std::size_t(held)].kind == "clip_applier";
     for (const BleedingEnd& end : state_.bleedingEnds)
-      if (end.flow >= kLeastMarkedFlow && (!clips || holdsClip(end.radius))) ends.push_back(end);
+      if (std::abs(end.flow) >= kLeastMarkedFlow && (!clips || holdsClip(end.radius)))
+        ends.push_back(end);
   }
   keepApart(ends);
   std::vector<Vec3> targets;

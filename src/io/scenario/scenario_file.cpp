@@ -234,8 +234,12 @@ Scenario toScenario(const TomlTable& t) {
   scenario.description = t.freeText("description");
   scenario.promises = t.texts("promises");
   for (const std::string& word : scenario.promises)
-    if (std::ranges::find(kPromises, word, &PromiseKind::word) == kPromises.end())
-      t.complain("promises", "has \"" + word + "\"; use removal, cut, push, parts or blood");
+    if (std::ranges::find(kPromises, word, &PromiseKind::word) == kPromises.end()) {
+      std::string known;
+      for (const PromiseKind& kind : kPromises)
+        known += (known.empty() ? "" : ", ") + std::string(kind.word);
+      t.complain("promises", "has \"" + word + "\"; use some of these: " + known);
+    }
   scenario.frameRate = t.number("frame_rate", ranges::kFrameRate, 60);
   if (t.has("after")) {
     scenario.after = t.number("after", 0, ranges::kDuration.high);

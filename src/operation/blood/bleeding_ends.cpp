@@ -12,7 +12,7 @@ std::vector<BleedingEnd> bleedingEnds(const Simulation& simulation) {
     for (const VesselInjury& injury : organ.vessels.injuries)
       for (const VesselEnd end : {VesselEnd::Root, VesselEnd::Far}) {
         const double flow = injury.flow[int(end)];
-        if (!(flow > 0)) continue;
+        if (flow == 0) continue;
         const VesselSegment& s = organ.map->anatomy.segments[std::size_t(injury.segment)];
         const Vec3 place = s.at(end == VesselEnd::Root ? injury.from : injury.to);
         ends.push_back({std::int32_t(o), injury.segment, end,

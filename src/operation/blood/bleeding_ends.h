@@ -1,4 +1,4 @@
-// Lists the ends of cut vessels that bleed.
+// Lists the ends of cut vessels that bleed or draw in air.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace resect {
 
-// The bleeding ends, with the flow of the last frame. Here BleedingEnd::place is the present
+// These ends, with the flow of the last frame. Here BleedingEnd::place is the present
 // position of the vessel's end in the tissue, where an instrument can reach the vessel. (In
 // StepReport::blood, BleedingEnd::place is the point where the blood comes out.) The result depends
 // on the state alone. So this function can also be called after the operation was brought to

@@ -5,10 +5,9 @@
 namespace resect {
 namespace {
 
-constexpr int kGravest = 4;          // VIBe
-constexpr double kAirBorne = 50e-6;  // m^3
-constexpr double kClasses[] = {0.15, 0.3,
-                               0.4};  // shares of the blood above which II, III, IV begin
+constexpr int kGravest = 4;  // VIBe
+// Shares of the blood above which haemorrhage of class III and of class IV begins.
+constexpr double kClassThree = 0.3, kClassFour = 0.4;
 
 }  // namespace
 
@@ -25,14 +24,14 @@ std::vector<std::string> dangersOf(const BloodSummary& blood) {
             : ""));
   }
   const double bled = toCubicMetres(blood.ledger.bled), share = bled / Circulation{}.volume;
-  if (share > kClasses[0])
+  if (share > kBorneLoss)
     sentences.push_back(
         fmt::format("{:.0f} ml of blood are lost, {:.0f} % of all: haemorrhage of class {}",
                     1e6 * bled, 100 * share,
-                    share > kClasses[2]   ? "IV"
-                    : share > kClasses[1] ? "III"
+                    share > kClassFour    ? "IV"
+                    : share > kClassThree ? "III"
                                           : "II"));
-  if (blood.air > kAirBorne)
+  if (blood.air > kBorneAir)
     sentences.push_back(fmt::format(
         "open hepatic veins drew in {:.0f} ml of air; 200 to 300 ml kill", 1e6 * blood.air));
   return sentences;

@@ -99,7 +99,8 @@ void noteMoment(LiveState& state, const Simulation& simulation, double before,
   report.time = simulation.time();
   report.toolForce.assign(simulation.tools().size(), Vec3::Zero());
   report.contacts.resize(simulation.tools().size() * simulation.organs().size());
-  for (const BleedingEnd& end : bleedingEnds(simulation)) report.blood.rate += end.flow;
+  for (const BleedingEnd& end : bleedingEnds(simulation))
+    report.blood.rate += std::max(0.0, end.flow);
   state.lastTouch.clear();
   state.bloody.clear();
   state.smoke = {};

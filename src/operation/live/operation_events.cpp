@@ -71,12 +71,12 @@ std::vector<OperationEvent> eventsOf(const StepReport& report, const Simulation&
     note(smokes ? "smoke" : "smoke_clears", smokes ? report.smoke.front().tool : -1, 0);
     memory.smoking = smokes;
   }
-  if (const bool airy = report.blood.airRate > 0; airy != memory.airy) {
-    if (airy)
+  if (const bool draws = report.blood.airRate > 0; draws != memory.drawsAir) {
+    if (draws)
       note("air", -1, 1e6 * report.blood.airRate, veinOfMostAir(simulation));
     else
       note("air_stops", -1, 0);
-    memory.airy = airy;
+    memory.drawsAir = draws;
   }
   for (const CutVessel& slipped : report.slipped)
     note("clip_slips", -1, 0, vesselName(simulation, slipped.organ, slipped.segment));
@@ -87,7 +87,7 @@ std::vector<OperationEvent> eventsOf(const StepReport& report, const Simulation&
 void remember(EventMemory& memory, const OperationEvent& event, std::size_t tools) {
   memory.touching.resize(tools, 0), memory.inHand.resize(tools, 0);
   if (event.kind == "smoke" || event.kind == "smoke_clears") memory.smoking = event.kind == "smoke";
-  if (event.kind == "air" || event.kind == "air_stops") memory.airy = event.kind == "air";
+  if (event.kind == "air" || event.kind == "air_stops") memory.drawsAir = event.kind == "air";
   if (event.tool < 0 || std::size_t(event.tool) >= tools) return;
   const auto t = std::size_t(event.tool);
   if (event.kind == "touch" || event.kind == "release") memory.touching[t] = event.kind == "touch";

@@ -32,7 +32,7 @@ bool worksOnOrgan(const StepReport& report, const Simulation& simulation, std::s
 // touched an organ.
 struct EventMemory {
   std::vector<char> touching, inHand;
-  bool smoking = false, airy = false;
+  bool smoking = false, drawsAir = false;
 };
 
 // The events of the step that `report` describes. simulation: in the state after this step. Updates

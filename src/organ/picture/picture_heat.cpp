@@ -31,7 +31,8 @@ std::shared_ptr<const TissueMap> pictureHeat(const OperatedOrgan& organ) {
   map->dims = high - low + Vec3i::Ones();
   const std::size_t count = std::size_t(map->dims.prod());
   map->texels.assign(2 * count, 0);
-  std::vector<bool> known(count, false);
+  enum class Cell : std::uint8_t { Unknown, Tissue, Empty };
+  std::vector<Cell> kind(count, Cell::Unknown);
   const auto texelOf = [&](const Vec3i& cell) {
     const Vec3i at = cell - low;
     return std::size_t((at.z() * map->dims.y() + at.y()) * map->dims.x() + at.x());
@@ -39,7 +40,7 @@ std::shared_ptr<const TissueMap> pictureHeat(const OperatedOrgan& organ) {
   const Lattice& cells = organ.organ.rest.lattice;
   for (const HeatedSpot& s : heat.spots()) {
     const std::size_t texel = texelOf(lattice.cell(s.index));
-    known[texel] = true;
+    kind[texel] = Cell::Tissue;
     map->texels[2 * texel] = toByte(s.coagulated);
     map->texels[2 * texel + 1] = toByte(s.charred);
     const Vec3 rest = lattice.centre(lattice.cell(s.index));
@@ -56,11 +57,9 @@ std::shared_ptr<const TissueMap> pictureHeat(const OperatedOrgan& organ) {
     for (int d = 0; d < kDirections; ++d) {
       const Vec3i beside = cell + offsetOf(d);
       const std::size_t to = texelOf(beside);
-      if (known[to]) continue;
-      if (isTissue(organ.organ, lattice.centre(beside))) {
-        known[to] = true;
-        continue;
-      }
+      if (kind[to] == Cell::Unknown)
+        kind[to] = isTissue(organ.organ, lattice.centre(beside)) ? Cell::Tissue : Cell::Empty;
+      if (kind[to] == Cell::Tissue) continue;
       for (const std::size_t k : {0u, 1u})
         map->texels[2 * to + k] = std::max(map->texels[2 * to + k], map->texels[2 * from + k]);
     }

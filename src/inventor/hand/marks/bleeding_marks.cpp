@@ -24,7 +24,7 @@ std::vector<MarkLine> bleedingRings(std::span<const BleedingEnd> ends,
   }
   std::vector<MarkLine> rings;
   for (const BleedingEnd& end : ends) {
-    const double share = std::min(1.0, std::cbrt(end.flow / kFlowOfLargest));
+    const double share = std::min(1.0, std::cbrt(std::abs(end.flow) / kFlowOfLargest));
     const double radius = kSmallest + share * (kLargest - kSmallest);
     const bool goesThere = &end == nearest;
     rings.push_back({goesThere ? kChosen : kColour, circle(end.place, radius, towardsEye)});
