@@ -94,7 +94,7 @@ std::string toText(const std::vector<SegmentAmount>& segments) {
     if (s.before - s.body >= 1e-6)
       parted += fmt::format("{}{:.0f} of {:.0f} ml of {}", parted.empty() ? "" : ", ",
                             1e6 * (s.before - s.body), 1e6 * s.before, romanNumber(s.segment));
-  return parted.empty() ? "" : fmt::format("  {:<10} parted: {}\n", "segments", parted);
+  return parted.empty() ? "" : fmt::format("  {:<10} removed or parted: {}\n", "segments", parted);
 }
 
 }  // namespace resect

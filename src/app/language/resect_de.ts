@@ -2754,6 +2754,14 @@
         <translation>blutete kaum</translation>
     </message>
     <message>
+        <source>Air drawn in</source>
+        <translation>Angesaugte Luft</translation>
+    </message>
+    <message>
+        <source>Air that open hepatic veins have drawn in; 200 to 300 ml kill</source>
+        <translation>Luft, die offene Lebervenen angesaugt haben; 200 bis 300 ml sind tödlich</translation>
+    </message>
+    <message>
         <source>drew in air</source>
         <translation>saugte Luft an</translation>
     </message>

@@ -59,6 +59,8 @@ OperationPanel::OperationPanel(QWidget* parent)
   bleeding_ = addRow(Words::tr("Bleeding"), Words::tr("Blood that leaves the vessels at present"));
   grade_ = addRow(Words::tr("Severity"),
                   Words::tr("Grade of the present bleeding on the VIBe scale, by its rate"));
+  air_ = addRow(Words::tr("Air drawn in"),
+                Words::tr("Air that open hepatic veins have drawn in; 200 to 300 ml kill"));
   removed_ = addRow(Words::tr("Removed"), Words::tr("Tissue taken out"));
   pieces_ =
       addRow(Words::tr("Cut off"), Words::tr("Pieces that hang together with the organ no more"));
@@ -101,12 +103,14 @@ void OperationPanel::begin(const Scenario& scenario, const QString& notes,
 void OperationPanel::follow(const LiveState& state, int held) {
   set(time_, clockText(double(state.moment.frame) / frameRate_));
   set(blood_, state.bleeds ? millilitres(state.bled) : QString());
-  // At a moment that is shown, what oozes is not known (docs/window.md).
+  // At a moment that is shown, what oozes is not known, and so neither is the grade
+  // (docs/window.md).
   set(bleeding_,
       state.bleeds ? (state.showing ? Words::tr("%1 ml/min from vessels") : Words::tr("%1 ml/min"))
                          .arg(state.bleedingRate * 60e6, 0, 'f', 0)
                    : QString());
-  set(grade_, state.bleeds ? gradeText(state.bleedingRate) : QString());
+  set(grade_, state.bleeds && !state.showing ? gradeText(state.bleedingRate) : QString());
+  set(air_, state.air > 0 ? millilitres(state.air) : QString());
   set(removed_, millilitres(state.removedVolume));
   const std::int64_t pieces = state.ledger ? state.ledger->pieces() : 0;
   set(pieces_, pieces > 0 ? (pieces == 1 ? Words::tr("%1 piece, %2") : Words::tr("%1 pieces, %2"))

@@ -21,6 +21,7 @@ void noteBlood(LiveState& state, const Simulation& simulation, const StepReport&
   state.loose = looseBlood(simulation.blood());
   state.bare = bareVessels(simulation);
   state.bleedingEnds = bleedingEnds(simulation);
+  state.air = simulation.blood().air();
   followBlood(simulation, state.bloody);
   state.clips = 0;
   for (const OperatedOrgan& o : simulation.organs())

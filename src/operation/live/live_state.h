@@ -47,6 +47,7 @@ struct LiveState {
   bool bleeds = false;  // whether any organ has vessels
   // bled: blood lost so far, m^3. bleedingRate: blood lost per time, mean over 1 s, m^3/s.
   double bled = 0, bleedingRate = 0;
+  double air = 0;                           // volume of air drawn into hepatic veins so far, m^3
   double bloodTime = 0;                     // simulated time of bled and bleedingRate, s
   std::vector<BleedingEnd> bleedingEnds;    // vessels' ends that bleed
   int clips = 0;                            // number of clips on vessels
