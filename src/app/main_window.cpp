@@ -183,7 +183,11 @@ void MainWindow::tick() {
   panelsShown_ = now;
   followPanels(state, now);
   followExercise(state);
-  followClips(state);
+  const int held = tools.held();
+  const ToolModel* model = held < 0 ? nullptr : &session_->toolModels()[std::size_t(held)];
+  if (const QString told = haemostasis_.follow(state, held, model, session_->operation());
+      !told.isEmpty())
+    statusBar()->showMessage(told, 8000);
   if (state.timeline && strokesNoted_ != state.timeline->strokeCount()) noteRecording();
   if (!options_.reports || (state.frame == 0 && !waitsForHand_)) return;
   // After the layout of the panels is final.

@@ -4,6 +4,7 @@
 #include <QMainWindow>
 #include <memory>
 
+#include "app/advice/haemostasis_watch.h"
 #include "app/exercise/attempt_scorer.h"
 #include "app/exercise/exercise_list.h"
 #include "app/loading/operation_loader.h"
@@ -92,7 +93,6 @@ class MainWindow : public QMainWindow {
   void showLaboratory(bool shown);
   void arrangePanels();
   QString nextStep() const;
-  QString howLongClosed() const;
   void followPanels(const LiveState& state, qint64 now);
   bool begin(OrganLoader::Result result);  // false: cannot be shown; the user was told
   std::shared_ptr<Recorder> record(const OrganLoader::Result& result);
@@ -134,7 +134,6 @@ class MainWindow : public QMainWindow {
   void makeExercises();
   void showExercises();
   void hideExercises();
-  void followClips(const LiveState& state);
   void showAbout(const Exercise& exercise);
   void startExercise(const Exercise& exercise, TaskLevel level);
   void beginExercise();
@@ -220,16 +219,7 @@ class MainWindow : public QMainWindow {
   std::shared_ptr<LiveAttempt> attempt_;  // attempt at the last exercise; null: none
   bool attemptEnded_ = false;
   bool waitsForHand_ = false;  // no instrument was taken yet, so the time has not started
-  // Number of clips on vessels, and the bleeding ends, when the clip applier was last open.
-  int clipsBefore_ = 0;
-  std::vector<BleedingEnd> endsBefore_;
-  bool clipperClosed_ = false;
-  int clipperHeld_ = -1;
-  // Two simulated times, s. jawsOpen_: when the jaws of the instrument in hand were last open.
-  // clipPlaced_: when a clip was placed whose effect is still to be reported; -1: there is no such
-  // clip.
-  double jawsOpen_ = 0;
-  double clipPlaced_ = -1;
+  HaemostasisWatch haemostasis_;
   // asTest_: the present exercise is a test. startedAsTest_: the exercise that is being loaded is a
   // test.
   bool asTest_ = false, startedAsTest_ = false;

@@ -190,6 +190,7 @@ bool MainWindow::begin(OrganLoader::Result result) {
   overlay_->guided = session_->tools().usual() == ToolHandling::Hold::Guided;
   overlay_->update();
   heldSaid_ = -2;
+  haemostasis_ = {};
   leftSaid_.assign(session_->toolModels().size(), 0);
   removedSaid_ = 0;
   uploadedSaid_ = 0;

@@ -10,24 +10,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/advice/smooth_cells.h"
 #include "app/exercise/exercise_panel.h"
 #include "app/exercise/task_maker_panel.h"
 #include "app/language/words.h"
 #include "app/main_window.h"
 #include "app/say.h"
-#include "app/smooth_cells.h"
 #include "app/viewer.h"
 #include "app/widgets/hint_bar.h"
 #include "app/widgets/instruments_panel.h"
 #include "app/widgets/operation_panel.h"
 #include "app/widgets/panels.h"
 #include "app/widgets/timeline_panel.h"
-#include "tools/parts/clip_part.h"
 
 namespace resect {
 namespace {
 
-constexpr double kClosed = 0.9;    // squeeze of jaws
 constexpr int kTallWindow = 1000;  // pixels: in a lower one the laboratory's panels share one place
 constexpr int kPanelLetters = 33;  // width of the panels
 constexpr int kWideLetters = 44;   // of those of exercises, which have sentences
@@ -98,34 +96,6 @@ QString useOf(const std::string& kind) {
 int playedTool(const LiveState& state) {
   const auto at = std::ranges::find_if(state.played, &ToolInput::inHand);
   return at == state.played.end() ? -1 : int(at - state.played.begin());
-}
-
-// What a clip has done, from what bled before and after it.
-QString closedBy(const std::vector<BleedingEnd>& before, const std::vector<BleedingEnd>& after,
-                 LiveOperation& operation) {
-  constexpr double kStopped = 0.2;  // of the flow before
-  const BleedingEnd* most = nullptr;
-  for (const BleedingEnd& end : before) {
-    const bool bleeds = std::ranges::any_of(after, [&](const BleedingEnd& now) {
-      return now.organ == end.organ && now.segment == end.segment && now.end == end.end &&
-             std::abs(now.flow) > kStopped * std::abs(end.flow);
-    });
-    if (!bleeds && (!most || std::abs(end.flow) > std::abs(most->flow))) most = &end;
-  }
-  if (!most) return Words::tr("A clip was placed on a vessel that does not bleed");
-  std::string name;
-  operation.look([&](const Simulation& s) {
-    name = s.organs()[std::size_t(most->organ)].organ.map->nameOf(most->segment);
-  });
-  const double flow = 60e6 * most->flow;  // ml/min
-  const QString bled = flow < 0 ? Words::tr("drew in air")
-                       : flow < 0.1
-                           ? Words::tr("hardly bled")
-                           : Words::tr("bled %1 ml/min").arg(flow, 0, 'f', flow < 10 ? 1 : 0);
-  return Words::tr("A clip was placed: the %1 of %2 mm %3")
-      .arg(translated(name))
-      .arg(2e3 * most->radius, 0, 'f', 1)
-      .arg(bled);
 }
 
 // The tool in hand or left at work on which the force is largest; -1 for none.
@@ -279,7 +249,12 @@ QString MainWindow::nextStep() const {
     return Words::tr("The scenario shows how; take an instrument to do it yourself.");
   if (session_->showing() && !timeline_->atEnd())
     return Words::tr("This is an earlier moment: work on from here, or press End to go back.");
+  if (session_->playedOut() && tools.how() == ToolHandling::Hold::None)
+    return Words::tr(
+        "The scenario has ended. Take an instrument to go on, or drag the mark in the timeline to "
+        "look back.");
   const QString name = heldName();
+  const QString howLongClosed = haemostasis_.howLongClosed(session_->state());
   const QString depth =
       tools.how() == ToolHandling::Hold::Guided
           ? tools.surfaceHand() && tools.surfaceHand()->target
@@ -297,7 +272,7 @@ QString MainWindow::nextStep() const {
               .arg(name);
     case ToolHandling::Hold::Guided:
       if (tools.pressing())
-        return Words::tr("%1 at work, %2; F leaves it there.").arg(name, depth + howLongClosed());
+        return Words::tr("%1 at work, %2; F leaves it there.").arg(name, depth + howLongClosed);
       return Words::tr("%1: %2, %3.")
           .arg(name, useOf(session_->toolModels()[std::size_t(tools.held())].kind), depth);
     case ToolHandling::Hold::HandleBox:
@@ -309,53 +284,9 @@ QString MainWindow::nextStep() const {
   return {};
 }
 
-// Of forceps that seal, whose heat takes its time.
-QString MainWindow::howLongClosed() const {
-  const int held = session_->tools().held();
-  if (held < 0 || session_->toolModels()[std::size_t(held)].kind != "bipolar") return {};
-  const double closed = session_->state().time - jawsOpen_;
-  return Words::tr(", closed for %1 s of about 2").arg(std::max(0.0, closed), 0, 'f', 1);
-}
-
-// Says what closing the clip applier has done.
-void MainWindow::followClips(const LiveState& state) {
-  const int held = session_->tools().held();
-  const bool clipper =
-      held >= 0 && session_->toolModels()[std::size_t(held)].kind == "clip_applier";
-  const bool closed = clipper && std::size_t(held) < state.squeeze.size() &&
-                      state.squeeze[std::size_t(held)] >= kClipCloses;
-  const bool sameTool = held == clipperHeld_;
-  clipperHeld_ = held;
-  if (closed && !clipperClosed_ && sameTool) {
-    const bool placed = state.clips > clipsBefore_;
-    if (placed)
-      clipPlaced_ = state.time;
-    else
-      statusBar()->showMessage(
-          Words::tr(
-              "No clip was placed: there is no open vessel within %1 mm of the jaws; point at "
-              "a yellow ring, or change the depth with the wheel")
-              .arg(1e3 * kClipReach, 0, 'f', 0),
-          8000);
-    if (options_.reports) say("clip {}", placed ? "placed" : "missed");
-  }
-  clipperClosed_ = closed;
-  // The flow needs some frames until it is steady.
-  constexpr double kSteady = 0.3;                  // s
-  if (state.time < clipPlaced_) clipPlaced_ = -1;  // an earlier moment is shown
-  if (clipPlaced_ >= 0 && (!closed || state.time > clipPlaced_ + kSteady)) {
-    clipPlaced_ = -1;
-    statusBar()->showMessage(closedBy(endsBefore_, state.bleedingEnds, session_->operation()),
-                             8000);
-  }
-  if (!closed) clipsBefore_ = state.clips, endsBefore_ = state.bleedingEnds;
-}
-
 void MainWindow::followPanels(const LiveState& state, qint64 now) {
   const int felt = session_->playing() ? playedTool(state) : workingTool(state);
   operation_->follow(state, felt);
-  const auto held = std::size_t(session_->tools().held());
-  if (held >= state.squeeze.size() || state.squeeze[held] < kClosed) jawsOpen_ = state.time;
   timeline_->follow(state, session_->showing(), session_->answered());
   const QString step = exercising() ? exercise_->nextStep() : QString();
   // An exercise's step comes first; how to use what is in hand follows, not that something should

@@ -38,11 +38,11 @@ double airShare(double air) {
   return 1 - std::clamp((air - kBorneAir) / (kDeadlyAir - kBorneAir), 0.0, 1.0);
 }
 
-// The height to which the pressures of the sources refer, m: that of the outer end of the portal
-// vein's trunk.
+// The height to which the pressures of the sources refer, m: that of the hilum, where the portal
+// vein's trunk, which begins outside the organ, ends.
 double zeroLevel(const Anatomy& anatomy) {
   const VesselRange portal = anatomy.range(VesselKind::PortalVein);
-  return portal.count > 0 ? anatomy.segments[std::size_t(portal.first)].start.y() : 0;
+  return portal.count > 0 ? anatomy.segments[std::size_t(portal.first)].end.y() : 0;
 }
 
 double shareLeft(double lost) { return std::clamp((1 - lost) / (1 - kGravest), 0.0, 1.0); }
@@ -185,10 +185,11 @@ void Bleeding::ooze(OrganBlood& blood, const OperatedOrgan& organ, double durati
   const Lattice& lattice = organ.organ.rest.lattice;
   const SkinCells& skin = blood.film.skin();
   const double left = shareLeft(toCubicMetres(bled_) / circulation_.volume);
+  const double level = zeroLevel(organ.organ.map->anatomy);
   for (const Oozing& o : blood.oozing) {
     if (!organ.tissue->solid(o.cell)) continue;
-    const double over =
-        blood.sinusoids[std::size_t(o.part)] - pressureAt(blood.film.placeOf(organ, o.cell).place);
+    const double over = blood.sinusoids[std::size_t(o.part)] -
+                        pressureOutside(blood.film.placeOf(organ, o.cell).place, level);
     const double pressure = std::max(0.0, over / circulation_.sinusoids);
     const Vec3 face =
         lattice.centre(lattice.cell(o.cell)) + skin[skin.numberOf(o.cell)].offset.cast<double>();
@@ -242,9 +243,9 @@ void Bleeding::bleed(OrganBlood& blood, OperatedOrgan& organ, std::int32_t numbe
       outside[i].closed[end] = exits[i][std::size_t(end)] < 0 ||
                                s.kind == VesselKind::BileDuct;  // bile does not flow here
       if (outside[i].closed[end]) continue;
-      places[i][std::size_t(end)] = blood.film.placeOf(organ, exits[i][std::size_t(end)]).place;
-      const Vec3& place = places[i][std::size_t(end)];
-      outside[i].pressure[end] = kBloodDensity * kEarth * (place.y() - level) + pressureAt(place);
+      const Vec3 place = blood.film.placeOf(organ, exits[i][std::size_t(end)]).place;
+      places[i][std::size_t(end)] = place;
+      outside[i].pressure[end] = pressureOutside(place, level);
     }
   }
   const double lost = toCubicMetres(bled_) / circulation_.volume,
@@ -283,6 +284,12 @@ double Bleeding::pressureAt(const Vec3& place) const {
   for (const Press& press : pressing_)
     if ((place - press.place).norm() <= press.radius) most = std::max(most, press.pressure);
   return most;
+}
+
+// What blood that leaves the tissue at a place has to overcome, Pa: it stands higher than the zero
+// level, and something may press on it.
+double Bleeding::pressureOutside(const Vec3& place, double level) const {
+  return kBloodDensity * kEarth * (place.y() - level) + pressureAt(place);
 }
 
 // Drops fly until they meet an organ or the table.

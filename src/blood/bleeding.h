@@ -119,6 +119,7 @@ class Bleeding {
   void ooze(OrganBlood& blood, const OperatedOrgan& organ, double duration, double time);
   Picolitres take(const Vec3& place, double radius, Picolitres most);
   double pressureAt(const Vec3& place) const;
+  double pressureOutside(const Vec3& place, double level) const;
   void fly(std::span<const OperatedOrgan> organs, double duration, bool table);
   void shed(OrganBlood& blood, std::int64_t cell, Picolitres volume);
 

@@ -2770,10 +2770,6 @@
         <translation>blutete mit %1 ml/min</translation>
     </message>
     <message>
-        <source>A clip was placed: the %1 of %2 mm %3</source>
-        <translation>Ein Clip wurde gesetzt: %1, %2 mm; das Gefäß %3</translation>
-    </message>
-    <message>
         <source>One moment ...</source>
         <translation>Einen Moment ...</translation>
     </message>
@@ -3812,6 +3808,30 @@
     <message>
         <source>%1 ml/min from vessels</source>
         <translation>%1 ml/min aus Gefäßen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 mm %3</source>
+        <translation>%1, %2 mm; das Gefäß %3</translation>
+    </message>
+    <message>
+        <source>A clip was placed: the %1</source>
+        <translation>Ein Clip wurde gesetzt: %1</translation>
+    </message>
+    <message>
+        <source>Sealed: the %1</source>
+        <translation>Versiegelt: %1</translation>
+    </message>
+    <message>
+        <source>Clips</source>
+        <translation>Clips</translation>
+    </message>
+    <message>
+        <source>Clips on vessels</source>
+        <translation>Clips auf Gefäßen</translation>
+    </message>
+    <message>
+        <source>The scenario has ended. Take an instrument to go on, or drag the mark in the timeline to look back.</source>
+        <translation>Das Szenario ist zu Ende. Nehmen Sie ein Instrument, um weiterzumachen, oder ziehen Sie die Marke in der Zeitleiste, um zurückzuschauen.</translation>
     </message>
 </context>
 </TS>

@@ -61,6 +61,7 @@ OperationPanel::OperationPanel(QWidget* parent)
                   Words::tr("Grade of the present bleeding on the VIBe scale, by its rate"));
   air_ = addRow(Words::tr("Air drawn in"),
                 Words::tr("Air that open hepatic veins have drawn in; 200 to 300 ml kill"));
+  clips_ = addRow(Words::tr("Clips"), Words::tr("Clips on vessels"));
   removed_ = addRow(Words::tr("Removed"), Words::tr("Tissue taken out"));
   pieces_ =
       addRow(Words::tr("Cut off"), Words::tr("Pieces that hang together with the organ no more"));
@@ -111,6 +112,7 @@ void OperationPanel::follow(const LiveState& state, int held) {
                    : QString());
   set(grade_, state.bleeds && !state.showing ? gradeText(state.bleedingRate) : QString());
   set(air_, state.air > 0 ? millilitres(state.air) : QString());
+  set(clips_, state.clips > 0 ? QString::number(state.clips) : QString());
   set(removed_, millilitres(state.removedVolume));
   const std::int64_t pieces = state.ledger ? state.ledger->pieces() : 0;
   set(pieces_, pieces > 0 ? (pieces == 1 ? Words::tr("%1 piece, %2") : Words::tr("%1 pieces, %2"))

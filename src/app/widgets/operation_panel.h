@@ -35,7 +35,8 @@ class OperationPanel : public QWidget {
 
   QFormLayout* form_;
   QLabel *title_, *task_;
-  Row time_, blood_, bleeding_, grade_, air_, removed_, pieces_, cut_, margin_, force_, most_;
+  Row time_, blood_, bleeding_, grade_, air_, clips_, removed_, pieces_, cut_, margin_, force_,
+      most_;
   std::vector<QString> tools_;
   double frameRate_ = 60;
 };

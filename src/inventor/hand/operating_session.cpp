@@ -188,7 +188,7 @@ void OperatingSession::setTools() {
 }
 
 void OperatingSession::toolsChanged() {
-  if (tools_.held() >= 0 && !following_) stopPlaying();
+  if (tools_.held() >= 0 && !following_) stopPlaying(), playedOut_ = false;
   toolBoxes_.resize(std::size_t(tools_.toolCount()));
   shownSlices_.resize(toolBoxes_.size());
   // While a moment is shown, the operation decides where the tools are.

@@ -54,6 +54,8 @@ class OperatingSession {
   // If the user takes a tool, the motions stop.
   void play(double until);
   bool playing() const { return playing_; }
+  // Whether the motions have reached their end, and nobody has taken an instrument since.
+  bool playedOut() const { return playedOut_; }
 
   // These three functions show an earlier or later moment of the operation. undo() shows the moment
   // before the last stroke. redo() shows the moment at which the last undo() was called. show()
@@ -183,7 +185,7 @@ class OperatingSession {
   // goOn() was called, and the operation still shows a moment.
   bool goingOn_ = false;
   bool following_ = false;  // the tools are being set to the operation's poses
-  bool playing_ = false;
+  bool playing_ = false, playedOut_ = false;
   bool marksBleeding_ = true;
   std::optional<Guide> guide_;
   bool showsGhosts_ = false;

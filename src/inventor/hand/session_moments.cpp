@@ -16,7 +16,7 @@ void OperatingSession::play(double until) {
   const std::int64_t all = frameCount(scenario_);
   if (played_ >= all) played_ = 0;
   playUntil_ = std::min<std::int64_t>(all, std::llround(until * scenario_.frameRate));
-  playing_ = true;
+  playing_ = true, playedOut_ = false;
   auto motion = [scenario = scenario_, frame = played_, end = playUntil_]() mutable {
     return frame < end ? std::optional(frameInput(scenario, frame++)) : std::nullopt;
   };
@@ -34,6 +34,7 @@ void OperatingSession::followMotion() {
     // The last frames may not have been seen here.
     playing_ = false;
     played_ = playUntil_;
+    playedOut_ = played_ == frameCount(scenario_);
     if (played_ > 0) inputs = frameInput(scenario_, played_ - 1).tools;
   }
   // Guided tools in hand are left at work, so that a hook keeps what it holds as the motion ends.
@@ -75,7 +76,7 @@ void OperatingSession::show(Moment moment) {
 // Another moment will be shown: nothing plays or is dragged any more.
 void OperatingSession::leave() {
   stopPlaying();
-  played_ = 0;
+  played_ = 0, playedOut_ = false;
   tools_.interrupt();
   goingOn_ = false;
 }

@@ -68,14 +68,18 @@ std::vector<BareVesselSummary> bareVesselsOf(const OperatedOrgan& operated) {
 
 std::optional<BloodSummary> BloodBooks::summaryOf(const Simulation& simulation) const {
   if (!simulation.blood().any()) return {};
-  BloodSummary summary{simulation.blood().ledger(), rate_, highest_,
-                       simulation.blood().air(),    {},    {}};
+  BloodSummary summary;
+  summary.ledger = simulation.blood().ledger();
+  summary.rate = rate_, summary.highest = highest_;
+  summary.air = simulation.blood().air();
   for (const OperatedOrgan& o : simulation.organs()) {
     if (!o.organ.map) continue;
     const std::vector<CutVesselSummary> cut = cutVessels(o);
     summary.vessels.insert(summary.vessels.end(), cut.begin(), cut.end());
     const std::vector<BareVesselSummary> bare = bareVesselsOf(o);
     summary.bare.insert(summary.bare.end(), bare.begin(), bare.end());
+    for (const VesselClip& clip : o.organ.vessels.clips)
+      ++(clip.byHeat ? summary.seals : summary.clips);
     summary.inflowClamped = std::max(summary.inflowClamped, o.organ.vessels.clampedTime);
   }
   return summary;

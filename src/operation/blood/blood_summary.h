@@ -42,6 +42,7 @@ struct BloodSummary {
   double air = 0;                         // air drawn into hepatic veins, m^3
   std::vector<CutVesselSummary> vessels;  // the widest first
   std::vector<BareVesselSummary> bare;    // the widest first
+  int clips = 0, seals = 0;               // numbers of clips and of heat seals on vessels
   double inflowClamped = 0;               // time for which the inflow was clamped, s
 };
 

@@ -7,6 +7,9 @@
 
 namespace resect {
 
+inline constexpr double kBipolarCloses = 0.9;   // ToolStance::squeeze from which current flows
+inline constexpr double kBipolarTakes = 0.006;  // m: a bleeding end so near the tips is taken
+
 class BipolarPart : public WorkingPart {
  public:
   void act(const Touch& touch, std::vector<TissueEdit>& edits) const override;

@@ -1,4 +1,4 @@
-#include "app/smooth_cells.h"
+#include "app/advice/smooth_cells.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,107 @@
+#include "app/advice/haemostasis_watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/language/words.h"
+#include "tools/parts/bipolar_part.h"
+#include "tools/parts/clip_part.h"
+
+namespace resect {
+namespace {
+
+constexpr double kStopped = 0.2;  // of the flow before: an end that bleeds less is closed
+constexpr double kSteady = 0.3;   // s after which the flow past a new clip is steady
+constexpr double kReached = 3 * kBipolarTakes;  // m: the heat of forceps reaches no farther
+
+bool isClosed(const BleedingEnd& end, const std::vector<BleedingEnd>& now) {
+  return std::ranges::none_of(now, [&](const BleedingEnd& other) {
+    return other.organ == end.organ && other.segment == end.segment && other.end == end.end &&
+           std::abs(other.flow) > kStopped * std::abs(end.flow);
+  });
+}
+
+// The end of the largest flow before that is closed now; null: there is none.
+const BleedingEnd* largestClosed(const std::vector<BleedingEnd>& before,
+                                 const std::vector<BleedingEnd>& now) {
+  const BleedingEnd* most = nullptr;
+  for (const BleedingEnd& end : before)
+    if ((!most || std::abs(end.flow) > std::abs(most->flow)) && isClosed(end, now)) most = &end;
+  return most;
+}
+
+// "hepatic vein of segment III of 3.1 mm bled 20 ml/min"
+QString whatBled(const BleedingEnd& end, LiveOperation& operation) {
+  std::string name;
+  operation.look([&](const Simulation& s) {
+    name = s.organs()[std::size_t(end.organ)].organ.map->nameOf(end.segment);
+  });
+  const double flow = 60e6 * end.flow;  // ml/min
+  const QString bled = flow < 0 ? Words::tr("drew in air")
+                       : flow < 0.1
+                           ? Words::tr("hardly bled")
+                           : Words::tr("bled %1 ml/min").arg(flow, 0, 'f', flow < 10 ? 1 : 0);
+  return Words::tr("%1 of %2 mm %3")
+      .arg(translated(name))
+      .arg(2e3 * end.radius, 0, 'f', 1)
+      .arg(bled);
+}
+
+}  // namespace
+
+QString HaemostasisWatch::follow(const LiveState& state, int held, const ToolModel* model,
+                                 LiveOperation& operation) {
+  const bool clipper = model && model->kind == "clip_applier";
+  forceps_ = model && model->kind == "bipolar";
+  const auto tool = std::size_t(held);
+  const bool known = model && tool < state.squeeze.size() && tool < state.poses.size();
+  const bool closed = known && state.squeeze[tool] >= (forceps_ ? kBipolarCloses : kClipCloses);
+  const bool shuts = closed && !closed_ && held == held_;
+  held_ = held;
+  if (state.time < placed_) placed_ = -1;  // an earlier moment is shown
+  QString told;
+  if (known && clipper) told = followClip(state, shuts, operation);
+  if (known && forceps_ && closed)
+    told = followForceps(state, shuts, state.poses[tool] * model->tip, operation);
+  closed_ = closed;
+  if (!closed) clipsBefore_ = state.clips, endsBefore_ = state.bleedingEnds, opened_ = state.time;
+  return told;
+}
+
+QString HaemostasisWatch::followClip(const LiveState& state, bool shuts, LiveOperation& operation) {
+  if (shuts && state.clips > clipsBefore_) {
+    placed_ = state.time;
+  } else if (shuts) {
+    return Words::tr(
+               "No clip was placed: there is no open vessel within %1 mm of the jaws; point at "
+               "a yellow ring, or change the depth with the wheel")
+        .arg(1e3 * kClipReach, 0, 'f', 0);
+  }
+  if (placed_ < 0 || state.time < placed_ + kSteady) return {};
+  placed_ = -1;
+  const BleedingEnd* end = largestClosed(endsBefore_, state.bleedingEnds);
+  return end ? Words::tr("A clip was placed: the %1").arg(whatBled(*end, operation))
+             : Words::tr("A clip was placed on a vessel that does not bleed");
+}
+
+// Told as soon as the vessel is sealed, while the forceps are still closed.
+QString HaemostasisWatch::followForceps(const LiveState& state, bool shuts, const Vec3& tip,
+                                        LiveOperation& operation) {
+  if (shuts)
+    std::erase_if(endsBefore_,
+                  [&](const BleedingEnd& end) { return (end.place - tip).norm() > kReached; });
+  const BleedingEnd* end = largestClosed(endsBefore_, state.bleedingEnds);
+  if (!end) return {};
+  const QString told = Words::tr("Sealed: the %1").arg(whatBled(*end, operation));
+  std::erase_if(endsBefore_,
+                [&](const BleedingEnd& one) { return isClosed(one, state.bleedingEnds); });
+  return told;
+}
+
+QString HaemostasisWatch::howLongClosed(const LiveState& state) const {
+  if (!forceps_) return {};
+  return Words::tr(", closed for %1 s of about 2")
+      .arg(std::max(0.0, state.time - opened_), 0, 'f', 1);
+}
+
+}  // namespace resect
