@@ -29,7 +29,7 @@ nlohmann::ordered_json toJson(const BloodSummary& summary) {
                                  {"vibe", bleedingGrade(summary.rate)},
                                  {"air_ml", 1e6 * summary.air},
                                  {"clips", summary.clips},
-                                 {"seals", summary.seals},
+                                 {"sealed", summary.sealed},
                                  {"inflow_clamped_s", summary.inflowClamped},
                                  {"vessels", nlohmann::ordered_json::array()},
                                  {"bare", nlohmann::ordered_json::array()}};
@@ -71,9 +71,9 @@ std::string toText(const BloodSummary& summary) {
         fmt::format("  {:<10} {:.1f} ml of air drawn into hepatic veins\n", "", 1e6 * summary.air);
   if (summary.inflowClamped > 0)
     text += fmt::format("  {:<10} {:.0f} s clamped\n", "inflow", summary.inflowClamped);
-  if (summary.clips + summary.seals > 0)
-    text += fmt::format("  {:<10} clips on vessels: {}, heat seals: {}\n", "closed by",
-                        summary.clips, summary.seals);
+  if (summary.clips > 0) text += fmt::format("  {:<10} {} on vessels\n", "clips", summary.clips);
+  if (summary.sealed > 0)
+    text += fmt::format("  {:<10} {} vessels closed by heat\n", "heat", summary.sealed);
   std::string named;
   for (std::size_t i = 0; i < summary.vessels.size() && i < kMostNamed; ++i)
     named += fmt::format("{}{} of {:.1f} mm", i ? ", " : "", summary.vessels[i].name,

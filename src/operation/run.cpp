@@ -1,6 +1,7 @@
 #include "operation/run.h"
 
 #include <algorithm>
+#include <variant>
 
 #include "base/stop.h"
 #include "geometry/measures.h"
@@ -8,6 +9,22 @@
 #include "operation/live/operation_events.h"
 
 namespace resect {
+namespace {
+
+Picolitres takenBy(const StepReport& report) {
+  return report.blood.ledger.sucked + report.blood.ledger.absorbed;
+}
+
+// Whether the tool is suction or gauze at work in this step, and blood was taken away. before: what
+// had been taken before the step.
+bool takesBlood(const StepReport& report, Picolitres before, std::size_t tool) {
+  return takenBy(report) > before && std::ranges::any_of(report.edits, [&](const TissueEdit& edit) {
+           return edit.tool == std::int32_t(tool) && (std::holds_alternative<Suction>(edit.what) ||
+                                                      std::holds_alternative<Press>(edit.what));
+         });
+}
+
+}  // namespace
 
 SurfaceSummary summarise(const TriangleMesh& surface) {
   const Topology t = topology(surface);
@@ -29,6 +46,7 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
   StageClock clock;
   StepReport report;
   BloodBooks blood;
+  Picolitres taken = 0;
   const std::int64_t frames = frameCount(scenario);
   for (std::int64_t frame = 0; frame < frames; ++frame) {
     const FrameInput input = frameInput(scenario, frame);
@@ -47,13 +65,15 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
       if (std::find(summary.faults.begin(), summary.faults.end(), fault) == summary.faults.end())
         summary.faults.push_back(fault);
     for (std::size_t i = 0; i < summary.forces.size(); ++i) {
-      if (worksOnOrgan(report, simulation, i)) summary.toolTouched[i] = true;
+      if (worksOnOrgan(report, simulation, i) || takesBlood(report, taken, i))
+        summary.toolTouched[i] = true;
       const double force = report.toolForce[i].norm();
       summary.forces[i].peak = std::max(summary.forces[i].peak, force);
       summary.touched = summary.touched || force > 0;
       summary.forces[i].perFrame.push_back(float(force));
     }
     blood.add(report, input.duration);
+    taken = takenBy(report);
     summary.severed += report.severed;
     summary.torn += report.torn;
     summary.touched = summary.touched || report.removed > 0 || report.severed > 0;

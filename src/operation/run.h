@@ -34,8 +34,8 @@ struct RunSummary {
   // Largest volume that a tool and still tissue shared at the end of a frame, m^3.
   double deepestOverlap = 0;
   // touched: whether any instrument touched, removed or cut tissue. toolTouched: for each tool,
-  // whether it touched tissue or, if tissue moves, had an organ in its volume of interest
-  // (ToolContacts).
+  // whether it touched tissue or took blood away or, if tissue moves, had an organ in its volume of
+  // interest (ToolContacts).
   bool touched = false;
   std::vector<bool> toolTouched;
   std::int64_t frames = 0;

@@ -79,6 +79,7 @@ shown incise-under-traction 64
 shown bleed 80
 shown stop-bleeding 105
 shown transect 1100
+shown bare-clip-divide 205
 shown pringle 110
 shown cautery 205
 shown snip 70

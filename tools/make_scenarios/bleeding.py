@@ -7,10 +7,13 @@ from scenario_text import all_instruments
 VESSEL = (-0.017, 0.028, 0.044)
 
 
-# What bleeds most of the vessels that are cut with it, once the clip is on the branch.
+# The other vessels that are cut with it, once the clip is on the branch; those that bleed most come first.
 BLEEDING = (
-    (-0.0195, 0.0264, 0.0442), (-0.0441, 0.0596, 0.0452), (-0.0312, 0.0417, 0.0449), (-0.0140, 0.0217, 0.0434),
-    (-0.0048, 0.0224, 0.0434), (0.0023, 0.0303, 0.0441), (0.0066, 0.0162, 0.0425), (0.0076, 0.0222, 0.0426),
+    (-0.0247, 0.0343, 0.0443), (0.0066, 0.0162, 0.0425), (0.0023, 0.0303, 0.0441), (-0.0140, 0.0217, 0.0434),
+    (-0.0040, 0.0303, 0.0440), (-0.0217, 0.0316, 0.0442), (-0.0410, 0.0531, 0.0446), (-0.0195, 0.0264, 0.0442),
+    (-0.0441, 0.0596, 0.0452), (-0.0312, 0.0417, 0.0449), (-0.0048, 0.0224, 0.0434), (0.0076, 0.0222, 0.0426),
+    (-0.0063, 0.0191, 0.0436), (-0.0127, 0.0397, 0.0447), (-0.0168, 0.0301, 0.0447),
+    (-0.0007, 0.0373, 0.0452),
 )
 
 
@@ -59,11 +62,13 @@ def stop_bleeding():
         bipolar.to(place[0], place[1] + 0.012, place[2], speed=0.15).to(*place, speed=0.1).grasp(1.6)
         bipolar.to(place[0], place[1] + 0.012, place[2], speed=0.15)
     bipolar.to(x + 0.02, 0.2, z + 0.12, speed=0.3)
-    suction.wait(bipolar.time - 1.5 - suction.time)
-    suction.to(x - 0.03, y + 0.055, z + 0.012).to(x + 0.010, y + 0.022, z + 0.015, speed=0.05)
-    suction.to(x + 0.025, y + 0.005, z + 0.03, speed=0.02)
-    suction.wait(0.5)
-    suction.to(x + 0.025, y + 0.005, z + 0.03)
+    # At the lower end of the wound, where the blood runs out, and then over the table.
+    suction.to(x + 0.045, y + 0.02, z + 0.015, speed=0.2).to(x + 0.041, y - 0.014, z + 0.006, speed=0.1)
+    suction.hold_until(bipolar.time)
+    suction.to(0.04, 0.08, 0.12, speed=0.2)
+    for px, pz in ((0.02, 0.105), (0.012, 0.075), (-0.005, 0.09), (-0.02, 0.085), (-0.02, 0.07)):
+        suction.to(px, 0.004, pz, speed=0.05)
+    suction.to(-0.02, 0.12, 0.16)
     return all_instruments(scalpel=scalpel, suction=suction, clip_applier=clip, bipolar=bipolar)
 
 
@@ -214,3 +219,58 @@ def cautery():
         pencil.to(x, y + 0.015, z_)
     pencil.to(0.01, 0.12, z, speed=0.3).to(0.03, 0.2, 0.1, speed=0.3)
     return all_instruments(aspirator=aspirator, pencil=pencil)
+
+
+# A left hepatic vein of 3.1 mm that runs 12 mm under the skin of the left lobe, once the liver has sagged: its middle and
+# its direction, m; where clips close it and scissors divide it; and arteries that the groove over it opens.
+TRIBUTARY, ALONG = (0.0105, 0.0215, 0.0168), (0.89, -0.18, 0.41)
+CLIPPED, PARTED = ((0.0070, 0.0222, 0.0146), (0.0117, 0.0206, 0.0174)), (0.0085, 0.0218, 0.0155)
+SPURTING = ((-0.0039, 0.0275, 0.0146), (-0.0046, 0.0327, 0.0101), (-0.0043, 0.0305, 0.0107), (-0.0038, 0.0280, 0.0119),
+            (0.0020, 0.0328, 0.0201), (-0.0030, 0.0220, 0.0109))
+# Ends that bleed once the vein is divided.
+LEFT_OPEN = ((0.0037, 0.0318, 0.0213), (0.0049, 0.0294, 0.0198), (0.0121, 0.0237, 0.0070))
+
+
+def bare_clip_divide():
+    """The aspirator bares the vein; bipolar forceps stop the arteries; two clips close the vein, scissors divide it."""
+    aspirator = Path3(handle=(0.1, 0.9, 0.42), edge=(0, -0.42, 0.9), speed=0.3)
+    aspirator.wait(0.6)
+    aspirator.to(0.03, 0.16, 0.1).to(0.004, 0.055, 0.014)
+    for layer, height in enumerate((0.034, 0.030, 0.026, 0.023)):
+        ends = (0.011, -0.011) if layer % 2 else (-0.011, 0.011)
+        for k in range(5):
+            way = ends[0] + (ends[1] - ends[0]) * k / 4
+            x, z = (TRIBUTARY[a] + ALONG[a] * way for a in (0, 2))
+            aspirator.to(x, height + ALONG[1] * way, z, speed=0.05)
+    aspirator.to(TRIBUTARY[0], 0.06, TRIBUTARY[2]).to(0.03, 0.16, 0.1)
+    bipolar = Path3(handle=(0.1, 0.95, 0.3), edge=(0, -0.3, 0.95), speed=0.3)
+    bipolar.wait(aspirator.time - 0.6)
+    bipolar.to(0.03, 0.18, 0.1)
+    for x, y, z in SPURTING:
+        bipolar.to(x, y + 0.014, z, speed=0.2).to(x, y, z, speed=0.12).grasp(1.8).to(x, y + 0.014, z, speed=0.2)
+    bipolar.to(0.03, 0.18, 0.1)
+    clip = Path3(handle=(0.1, 0.95, 0.3), edge=(0, -0.3, 0.95), speed=0.3)
+    clip.wait(bipolar.time - 0.6)
+    clip.to(0.03, 0.18, 0.1)
+    for x, y, z in CLIPPED:
+        clip.to(x, y + 0.025, z, speed=0.2).to(x, y, z, speed=0.08).jaws(1.0, 0.3).jaws(0.0, 0.3)
+        clip.to(x, y + 0.025, z, speed=0.1)
+    clip.to(0.03, 0.18, 0.1)
+    scissors = Path3(handle=(-0.2, 0.95, 0.25), edge=(0.41, 0, -0.89), speed=0.3)
+    scissors.wait(clip.time - 0.6)
+    x, y, z = PARTED
+    scissors.to(0.0, 0.18, 0.1).to(x, y + 0.03, z, speed=0.2).to(x, y - 0.002, z, speed=0.06)
+    for aside in (0.0, 0.002, -0.002):
+        scissors.to(x + 0.41 * aside, y - 0.002, z - 0.89 * aside, speed=0.02).jaws(1.0).jaws(0.0)
+    scissors.to(x, y + 0.03, z, speed=0.1).to(0.0, 0.18, 0.1)
+    bipolar.wait(scissors.time - 0.6 - bipolar.time)
+    for x, y, z in LEFT_OPEN:
+        bipolar.to(x, y + 0.014, z, speed=0.2).to(x, y, z, speed=0.12).grasp(1.8).to(x, y + 0.014, z, speed=0.2)
+    bipolar.to(0.03, 0.18, 0.1)
+    suction = Path3(handle=(-0.3, 0.9, 0.3), edge=(0, -0.3, 0.9), speed=0.3)
+    suction.wait(aspirator.time - 3)
+    suction.to(-0.04, 0.14, 0.06).to(-0.008, 0.038, 0.012, speed=0.1)
+    suction.hold_until(bipolar.time - 1)
+    suction.to(-0.04, 0.14, 0.06)
+    return all_instruments(aspirator=aspirator, bipolar=bipolar, clip_applier=clip, scissors=scissors,
+                           suction=suction)

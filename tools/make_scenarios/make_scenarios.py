@@ -77,6 +77,10 @@ def all_scenarios():
         "Part of a left lateral sectionectomy", "Clamp the inflow, bare the vessels with the aspirator, clip and divide "
         "them, coagulate what bleeds", 8.0, bleeding.transect(), ligaments(ASIDE), organ=bleeds,
         close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
+    yield "bare-clip-divide", elastic(
+        "A vein is bared, clipped and divided", "Free a hepatic vein of 3 mm with the aspirator, close it with two clips, "
+        "and cut it between them", 8.0, bleeding.bare_clip_divide(), ligaments(ASIDE), organ=bleeds,
+        close_up="[[-0.03, 0, -0.02], [0.045, 0.06, 0.05]]", view="top")
     yield "pringle", elastic(
         "The inflow is clamped",
         "A cut bleeds; clamp the portal pedicle, which stops what flows in until the clamp is opened", 8.0,

@@ -184,7 +184,11 @@ def two_hands_scenario(operator):
 # The wound of `control-bleeding`, which crosses the branch of `bleed`: the ends of its line and the way into the liver;
 # and where the branch and two thin arteries bleed in it.
 WOUND = ((-0.0053, 0.0556, 0.044), (0.0043, 0.0484, 0.044), (-0.6, -0.8, 0.0), 0.032)
-WOUNDED, SEALED = (-0.0185, 0.0280, 0.0429), ((-0.0204, 0.0282, 0.0440), (-0.0003, 0.0355, 0.0441), (-0.0246, 0.0339, 0.0446))
+WOUNDED = (-0.0185, 0.0280, 0.0429)
+SEALED = (
+    (-0.0131, 0.0202, 0.0463), (-0.0056, 0.0268, 0.0469), (-0.0167, 0.0244, 0.0470), (-0.0020, 0.0276, 0.0458),
+    (-0.0144, 0.0277, 0.0473), (-0.0061, 0.0343, 0.0461),
+)
 
 
 def control_bleeding(operator):
@@ -230,9 +234,9 @@ def control_bleeding(operator):
 def control_bleeding_scenario(operator):
     goal = {"kind": '"stop-bleeding"', "rate_ml_min": 10, "from_ml_min": 60, "hold": 1}
     text = task("Control of a bleeding vessel: clear the wound, close the vessel, then what is left.", goal,
-                {"blood_loss_ml": 30, "vessels_open": 0, "bleeding_s": 30, "total_time_s": 60},
-                {"easy": {"blood_loss_ml": 60, "bleeding_s": 60, "total_time_s": 120},
-                 "hard": {"blood_loss_ml": 12, "bleeding_s": 18, "total_time_s": 30}},
+                {"blood_loss_ml": 90, "vessels_open": 0, "bleeding_s": 45, "total_time_s": 75},
+                {"easy": {"blood_loss_ml": 180, "bleeding_s": 90, "total_time_s": 150},
+                 "hard": {"blood_loss_ml": 45, "bleeding_s": 25, "total_time_s": 40}},
                 ["suction", "clip_applier", "bipolar", "gauze"],
                 ["Suck the blood away to see where it comes from, or press a swab on it.",
                  "Close the branch with a clip.", "Seal what still bleeds with the bipolar forceps."],

@@ -33,18 +33,18 @@ stiffness = 300
 
 
 def elastic(title, description, spacing_mm, tools, extra="", tissue="", duration=None, organ="", close_up=None, x=0.0,
-            setting="field", bleeds=True, tail=0.4):
+            setting="field", bleeds=True, tail=0.4, view="surgeon"):
     """A scenario whose tissue moves; x: organ and instruments stand so far to the side, m; tail: s after the last key."""
     if x:
         for _, path in tools:
             if path and not path.way:
                 path.keys = [(time, (tip[0] + x, *tip[1:]), *rest) for time, tip, *rest in path.keys]
         organ = f"position = [{x:g}, 0, 0]  # clear of the tray\n" + organ
-    text = scenario(title, description, spacing_mm, tools, "surgeon", tail=tail, duration=duration, thesis=False)
+    text = scenario(title, description, spacing_mm, tools, view, tail=tail, duration=duration, thesis=False)
     if bleeds:
         organ += 'vessels = "built-in"\n'
     if close_up:
-        text = text.replace('view = "surgeon"\n', f'view = "surgeon"\nclose_up = {close_up}\n', 1)
+        text = text.replace(f'view = "{view}"\n', f'view = "{view}"\nclose_up = {close_up}\n', 1)
     if setting != "table":
         text = text.replace("[organ]", f'[room]\nsetting = "{setting}"\n\n[organ]', 1)
     settings = f'[tissue]\nmodel = "elastic"\n{tissue}\n{extra}'

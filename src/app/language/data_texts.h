@@ -3,6 +3,8 @@
 // clang-format off
 #pragma once
 
+    QT_TRANSLATE_NOOP("data", "A vein is bared, clipped and divided"),
+    QT_TRANSLATE_NOOP("data", "Free a hepatic vein of 3 mm with the aspirator, close it with two clips, and cut it between them"),
     QT_TRANSLATE_NOOP("data", "A branch of the portal vein bleeds"),
     QT_TRANSLATE_NOOP("data", "Cut a branch of 3 mm with the scalpel; blood wells up, runs and pools"),
     QT_TRANSLATE_NOOP("data", "A raw surface is coagulated"),

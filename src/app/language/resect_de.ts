@@ -459,6 +459,14 @@
         <source>cavity</source>
         <translation>Hohlraum</translation>
     </message>
+    <message>
+        <source>A vein is bared, clipped and divided</source>
+        <translation>Eine Vene wird freigelegt, geclippt und durchtrennt</translation>
+    </message>
+    <message>
+        <source>Free a hepatic vein of 3 mm with the aspirator, close it with two clips, and cut it between them</source>
+        <translation>Legen Sie eine Lebervene von 3 mm mit dem Aspirator frei, verschließen Sie sie mit zwei Clips, und durchtrennen Sie sie dazwischen</translation>
+    </message>
 </context>
 <context>
     <name>sentences</name>

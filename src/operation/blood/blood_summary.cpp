@@ -1,6 +1,7 @@
 #include "operation/blood/blood_summary.h"
 
 #include <algorithm>
+#include <set>
 
 #include "anatomy/vessel_closure.h"
 #include "base/elementary.h"
@@ -78,8 +79,13 @@ std::optional<BloodSummary> BloodBooks::summaryOf(const Simulation& simulation) 
     summary.vessels.insert(summary.vessels.end(), cut.begin(), cut.end());
     const std::vector<BareVesselSummary> bare = bareVesselsOf(o);
     summary.bare.insert(summary.bare.end(), bare.begin(), bare.end());
+    std::set<std::int32_t> sealed;
     for (const VesselClip& clip : o.organ.vessels.clips)
-      ++(clip.byHeat ? summary.seals : summary.clips);
+      if (clip.byHeat)
+        sealed.insert(clip.segment);
+      else
+        ++summary.clips;
+    summary.sealed += int(sealed.size());
     summary.inflowClamped = std::max(summary.inflowClamped, o.organ.vessels.clampedTime);
   }
   return summary;

@@ -42,8 +42,8 @@ struct BloodSummary {
   double air = 0;                         // air drawn into hepatic veins, m^3
   std::vector<CutVesselSummary> vessels;  // the widest first
   std::vector<BareVesselSummary> bare;    // the widest first
-  int clips = 0, seals = 0;               // numbers of clips and of heat seals on vessels
-  double inflowClamped = 0;               // time for which the inflow was clamped, s
+  int clips = 0, sealed = 0;  // numbers of clips on vessels, and of segments that heat closes
+  double inflowClamped = 0;   // time for which the inflow was clamped, s
 };
 
 // Follows the blood of an operation, frame by frame.
