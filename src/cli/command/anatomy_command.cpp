@@ -252,9 +252,11 @@ void anatomy(const AnatomyOptions& options) {
   for (int k = 0; k < kVesselKinds; ++k) {
     const VesselMeasures& m = measures.kinds[std::size_t(k)];
     if (m.segments == 0) continue;
-    printLine(text, "{:<15} {:5} segments, {:4} terminals, {:5.1f} ml, radius {:.2f} to {:.2f} mm",
+    printLine(text,
+              "{:<15} {:5} segments, {:4} terminals, {:5.1f} ml, mean radius {:.2f} mm (Strahler "
+              "order 1) to {:.2f} mm (order {})",
               nameOf(VesselKind(k)), m.segments, m.terminals, 1e6 * m.volume,
-              1e3 * m.radiusByOrder.front(), 1e3 * m.radiusByOrder.back());
+              1e3 * m.radiusByOrder.front(), 1e3 * m.radiusByOrder.back(), m.radiusByOrder.size());
     for (int other = 0; other < k; ++other)
       crossings += measures.crossings[std::size_t(k)][std::size_t(other)];
   }
