@@ -129,8 +129,17 @@ MainWindow::~MainWindow() {
   viewer_->ticked = {};
 }
 
+// The time of the operation stands still behind the cards of the exercises, until an exercise's
+// first instrument is taken, and while a menu or a dialog is open.
+void MainWindow::keepTime() {
+  session_->operation().setPaused(exercises_->isVisible() || waitsForHand_ ||
+                                  QApplication::activePopupWidget() ||
+                                  QApplication::activeModalWidget());
+}
+
 void MainWindow::tick() {
   if (!session_) return;
+  keepTime();
   const qint64 now = QDateTime::currentMSecsSinceEpoch();
   const ToolHandling& tools = session_->tools();
   if (tools.held() != heldSaid_ || tools.how() != howSaid_) {

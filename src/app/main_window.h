@@ -93,6 +93,7 @@ class MainWindow : public QMainWindow {
   void showLaboratory(bool shown);
   void arrangePanels();
   QString nextStep() const;
+  void keepTime();
   void followPanels(const LiveState& state, qint64 now);
   bool begin(OrganLoader::Result result);  // false: cannot be shown; the user was told
   std::shared_ptr<Recorder> record(const OrganLoader::Result& result);

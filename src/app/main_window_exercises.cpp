@@ -107,7 +107,6 @@ std::string MainWindow::learner() const {
   return learnerName(QSettings().value(kLearner, "learner").toString().toStdString());
 }
 
-// While the cards are shown, the operation behind them waits.
 void MainWindow::showExercises() {
   std::vector<std::string> complaints;
   const std::vector<Exercise> exercises = allExercises(complaints);
@@ -120,7 +119,6 @@ void MainWindow::showExercises() {
   QStringList learners;
   for (const std::string& name : learnersIn(attemptsFolder()))
     learners << QString::fromStdString(name);
-  if (session_) session_->operation().setPaused(true);
   placeOverlays();
   exercises_->show(exercises, done, learners, QString::fromStdString(learner()),
                    QString::fromStdString(attemptsFolder().string()));
@@ -134,7 +132,6 @@ void MainWindow::showExercises() {
 
 void MainWindow::hideExercises() {
   exercises_->hide();
-  if (session_) session_->operation().setPaused(waitsForHand_);
   viewer_->setFocus();
   if (options_.reports) say("exercises hidden");
 }
@@ -168,7 +165,6 @@ void MainWindow::startExercise(const Exercise& exercise, TaskLevel level) {
 void MainWindow::beginExercise() {
   scorer_.cancel();
   waitsForHand_ = attempt_ != nullptr;
-  if (exercises_->isVisible() || waitsForHand_) session_->operation().setPaused(true);
   attemptEnded_ = false;
   targetSaid_ = kNoTarget;
   replayUntil_ = -1;
@@ -203,10 +199,7 @@ void MainWindow::followExercise(const LiveState& state) {
                              8000);
   }
   if (!exercising()) return;
-  if (waitsForHand_ && (session_->tools().held() >= 0 || session_->playing())) {
-    waitsForHand_ = false;
-    session_->operation().setPaused(exercises_->isVisible());
-  }
+  if (session_->tools().held() >= 0 || session_->playing()) waitsForHand_ = false;
   const Task& task = *session_->scenario().task;
   const AttemptProgress progress = attempt_->progress();
   guideHand(progress);

@@ -55,6 +55,7 @@ void MainWindow::listenToScript() {
         if (what.starts_with("save")) say("written {}", file);
         if (what == "picture-size") resizePicture(file);
         if (what == "places" && session_) reportPlaces();
+        if (what == "time" && session_) say("time {:.3f}", session_->state().time);
         if (what == "play") play(file.empty() ? 1e9 : std::stod(file));
       } catch (const std::exception& e) {
         complain(e.what());

@@ -90,6 +90,26 @@ class Faults(ScreenTest):
         self.screen.key("alt+v", "r")
         window.wait("breathing off", 20)
 
+    def test_time_stands_still_while_a_menu_is_open(self):
+        window = self.opened("press", "--spacing", "12mm")
+
+        def now():
+            window.tell("time")
+            return float(window.wait("time", 20).split()[1])
+
+        def passed():
+            begin = now()
+            time.sleep(1.5)
+            return now() - begin
+
+        self.assertGreater(passed(), 0.5)
+        self.screen.key("alt+v")
+        time.sleep(0.5)
+        self.assertLess(passed(), 0.05)
+        self.screen.key("Escape", "Escape")
+        time.sleep(0.5)
+        self.assertGreater(passed(), 0.5)
+
     def test_the_lamp_is_moved_in_the_view_menu(self):
         window = self.opened("press", "--spacing", "12mm")
         time.sleep(2)

@@ -8,6 +8,11 @@
 #include "inventor/hand/tool_keys.h"
 
 namespace resect {
+namespace {
+
+QString atWork(const QString& name) { return Words::tr("%1   (at work)").arg(name); }
+
+}  // namespace
 
 InstrumentsPanel::InstrumentsPanel(QWidget* parent) : QWidget(parent) {
   layout_ = new QVBoxLayout(this);
@@ -22,6 +27,9 @@ void InstrumentsPanel::setTools(const std::vector<ToolModel>& tools) {
     auto* button = new QToolButton(this);
     const QString key = QString::fromStdString(keyOfTool(i));
     names_.push_back(QString("%1   %2").arg(key, translated(tools[i].name)));
+    // As wide as the longest text that it may show.
+    button->setText(atWork(names_.back()));
+    button->setMinimumWidth(button->sizeHint().width());
     button->setText(names_.back());
     button->setToolTip("<p>" + translatedInHtml(tools[i].description) + "<br>" +
                        Words::tr("Key %1 takes it in hand; Escape puts it back.").arg(key) +
@@ -41,7 +49,7 @@ void InstrumentsPanel::setTools(const std::vector<ToolModel>& tools) {
 void InstrumentsPanel::show(int held, const std::vector<std::uint8_t>& left) {
   for (std::size_t i = 0; i < buttons_.size(); ++i) {
     buttons_[i]->setChecked(int(i) == held);
-    const QString text = left[i] ? Words::tr("%1   (at work)").arg(names_[i]) : names_[i];
+    const QString text = left[i] ? atWork(names_[i]) : names_[i];
     if (buttons_[i]->text() != text) buttons_[i]->setText(text);
   }
 }

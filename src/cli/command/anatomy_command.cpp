@@ -252,9 +252,11 @@ void anatomy(const AnatomyOptions& options) {
   for (int k = 0; k < kVesselKinds; ++k) {
     const VesselMeasures& m = measures.kinds[std::size_t(k)];
     if (m.segments == 0) continue;
-    printLine(text, "{:<15} {:5} segments, {:4} terminals, {:5.1f} ml, radius {:.2f} to {:.2f} mm",
+    printLine(text,
+              "{:<15} {:5} segments, {:4} terminals, {:5.1f} ml, mean radius {:.2f} mm (Strahler "
+              "order 1) to {:.2f} mm (order {})",
               nameOf(VesselKind(k)), m.segments, m.terminals, 1e6 * m.volume,
-              1e3 * m.radiusByOrder.front(), 1e3 * m.radiusByOrder.back());
+              1e3 * m.radiusByOrder.front(), 1e3 * m.radiusByOrder.back(), m.radiusByOrder.size());
     for (int other = 0; other < k; ++other)
       crossings += measures.crossings[std::size_t(k)][std::size_t(other)];
   }
@@ -269,14 +271,18 @@ void anatomy(const AnatomyOptions& options) {
       volumes += fmt::format("{}{} {:.0f}", k > 1 ? ", " : "", romanNumber(k), 1e6 * volume), ++k;
     printLine(text, "segments, ml: {}", volumes);
   }
+  if (!lost.empty())
+    printLine(
+        text,
+        "ml/s out of a vessel severed in its middle, at the height of the hilum:\n"
+        "                 diameter   open   all of this width   clip before it   inflow clamped");
   for (const auto& row : lost)
-    printLine(text,
-              "severed {:<14} {:.2f} mm: {:6.2f} ml/s (others {:.2f} to {:.2f}), clipped {:5.2f}, "
-              "inflow clamped {:5.2f}",
+    printLine(text, "{:<14} {:7.2f} mm {:6.2f} {:>19} {:16.2f} {:16.2f}",
               row["kind"].get<std::string>(), row["diameter_mm"].get<double>(),
-              row["open_ml_s"].get<double>(), row["least_open_ml_s"].get<double>(),
-              row["most_open_ml_s"].get<double>(), row["clipped_ml_s"].get<double>(),
-              row["clamped_ml_s"].get<double>());
+              row["open_ml_s"].get<double>(),
+              fmt::format("{:.2f} to {:.2f}", row["least_open_ml_s"].get<double>(),
+                          row["most_open_ml_s"].get<double>()),
+              row["clipped_ml_s"].get<double>(), row["clamped_ml_s"].get<double>());
   for (const std::string& file : written) printLine(text, "{}", file);
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 // Main lamp and second lamp for each LampPlace, from the middle of what they light; m.
 const Vec3 kLampPlaces[][2] = {{{-0.50, 1.20, -0.10}, {0.85, 0.95, 0.45}},
-                               {{0.50, 1.20, -0.10}, {-0.85, 0.95, 0.45}},
+                               {{0.85, 0.95, 0.00}, {-0.85, 0.95, 0.45}},
                                {{-0.20, 1.05, 0.75}, {0.85, 0.95, -0.45}},
                                {{0.02, 1.30, 0.02}, {0.85, 0.95, 0.45}}};
 

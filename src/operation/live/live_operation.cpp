@@ -103,6 +103,7 @@ bool LiveOperation::playing() const {
 void LiveOperation::setPaused(bool paused) {
   {
     const std::lock_guard lock(mutex_);
+    if (paused_ == paused) return;
     paused_ = paused;
   }
   wake_.notify_all();
