@@ -47,8 +47,8 @@ std::array<double, kLiverSegments> segmentVolumes(const LiverSegments& segments,
                                                   const TriangleMesh& surface);
 
 // A vessel with a name. It begins with a segment that is a root or whose parent has another name.
-// Descendants of this first segment also belong to the vessel, as far as they and all segments
-// between have the same name.
+// A descendant of this first segment also belongs to the vessel if it and all segments between have
+// the same name.
 struct NamedVessel {
   std::string name;
   VesselKind kind = VesselKind::PortalVein;
@@ -56,9 +56,9 @@ struct NamedVessel {
   double radius = 0;           // of the first segment, m
   std::int32_t terminals = 0;  // number in the subtree that begins with the first segment
 };
-// Several vessels may have the same name. Returns a vessel if it has at least `terminals`
-// terminals, or if no vessel of the same name has more terminals. The result is in the order of the
-// vessels' first segments in the anatomy.
+// Several vessels may have the same name. The result contains a vessel if it has at least
+// `terminals` terminals, or if no other vessel of the same name has more terminals. The vessels are
+// in the order of their first segments in the anatomy.
 std::vector<NamedVessel> namedVessels(const Anatomy& anatomy, const LiverSegments& segments,
                                       std::int32_t terminals);
 
