@@ -46,17 +46,19 @@ TerminalDistance terminalDistance(const Anatomy& anatomy, const TriangleMesh& su
 std::array<double, kLiverSegments> segmentVolumes(const LiverSegments& segments,
                                                   const TriangleMesh& surface);
 
-// A vessel with a name. Its first segment is a root, or the parent of its first segment has another
-// name. The segments that follow and have the same name also belong to the vessel.
+// A vessel with a name. It begins with a segment that is a root or whose parent has another name.
+// A descendant of this first segment also belongs to the vessel if it and all segments between have
+// the same name.
 struct NamedVessel {
   std::string name;
   VesselKind kind = VesselKind::PortalVein;
   std::int32_t segment = -1;   // index of the first segment
   double radius = 0;           // of the first segment, m
-  std::int32_t terminals = 0;  // number in the subtree from the first segment on
+  std::int32_t terminals = 0;  // number in the subtree that begins with the first segment
 };
-// The vessels with at least `terminals` terminals, and the largest vessel of each name, in the
-// order of their first segments in the anatomy.
+// Several vessels may have the same name. The result contains a vessel if it has at least
+// `terminals` terminals, or if no other vessel of the same name has more terminals. The vessels are
+// in the order of their first segments in the anatomy.
 std::vector<NamedVessel> namedVessels(const Anatomy& anatomy, const LiverSegments& segments,
                                       std::int32_t terminals);
 

@@ -17,11 +17,11 @@ struct MotionTolerance {
   double share = 0.02;     // of squeeze and pedal, which are 0 to 1
 };
 
-// Returns the keys of each tool of RecordingFile::setup().scenario, for the course that leads to
-// the moment (courseTo()). The keys begin when the tool is in hand for the first time. They end
-// when it is in hand for the last time. Between these times the tool may also be out of hand; the
-// keys then follow its recorded pose. A tool that is never in hand has no keys. Throws Error if the
-// recording is damaged.
+// Returns a list of keys for each tool of RecordingFile::setup().scenario. The keys give the tool's
+// motion in the frames that lead from the start of the operation to `moment` (see courseTo()). They
+// begin when the tool is in hand for the first time, and end when it is in hand for the last time.
+// Between these times the tool may also be out of hand; the keys then follow its recorded pose. A
+// tool that is never in hand has no keys. Throws Error if the recording is damaged.
 std::vector<std::vector<ToolKey>> recordedMotions(RecordingFile& file, const Moment& moment,
                                                   const MotionTolerance& tolerance = {});
 

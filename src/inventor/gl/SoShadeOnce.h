@@ -11,8 +11,8 @@
 //
 // A software renderer also evaluates both sides of each branch. So the pixels of rich tissue (cut,
 // bloody, heated, or with a structure under the skin) are marked with a value of their own
-// (data/shaders/deferred/mark_rich.frag). All other pixels are shaded by a program without that
-// code (data/shaders/deferred/plain.glsl).
+// (data/shaders/deferred/mark_rich.frag). All other pixels are shaded by a second shader program,
+// which does not contain the code for rich tissue (data/shaders/deferred/plain.glsl).
 //
 // The group shades in this way if three conditions hold: a shader program is in use, the
 // framebuffer has one sample per pixel, and it has a renderbuffer for depth and stencil. In all

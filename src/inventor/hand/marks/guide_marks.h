@@ -45,15 +45,16 @@ std::optional<double> distanceFrom(const Guide& guide, const GuidedTip& tip);
 
 // How well an instrument keeps to a guide. This depends on the distance that distanceFrom() gives:
 // - Targets: Well up to the radius, Far beyond it.
-// - Line and Plane: Well up to the radius. Far at more than 30 mm. In between, Near up to twice the
-//   radius, and Wrong beyond it.
+// - Line and Plane: Well up to the radius, Near up to twice the radius, Wrong up to 30 mm, and Far
+//   beyond 30 mm.
 // - Ball: Wrong inside the ball. Outside the ball, Near up to the margin, Well up to 10 mm more
 //   than the margin, and Far beyond that.
 enum class Keeping { Far, Well, Near, Wrong };
 Keeping keepingOf(const Guide& guide, double distance);
 
-// The lines that show a guide. Their colours depend on `keeping`. towardsEye: direction that rings
-// face, unit.
+// The lines that show a guide. Their colours depend on `keeping`. Targets and balls are shown as
+// circles. These circles are perpendicular to `towardsEye`, the unit vector towards the viewer. A
+// ball has one more circle, which is horizontal.
 std::vector<MarkLine> guideLines(const Guide& guide, Keeping keeping, const Vec3& towardsEye);
 
 }  // namespace resect

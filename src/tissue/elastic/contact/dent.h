@@ -19,12 +19,16 @@ struct Dent {
 
 // Limits of the search for the way out of an obstacle.
 struct WayOut {
-  double deepest;   // m; larger depths are reduced to this
-  double farthest;  // m; if the way out is longer, there is no contact: the patch is edge-on
+  double deepest;  // m; larger depths are reduced to this
+  // Greatest length of the way out, m. If the way out is longer, the patch is not in contact with
+  // the obstacle.
+  double farthest;
   // Least cosine of the angle between the way out and the obstacle's normal. If the way out is
-  // longer than `deepest` and the cosine is below this limit, there is no contact either. Example:
-  // a plate, the obstacle, lies on a block of tissue. From a patch on the block's side the way out
-  // runs sideways, at a right angle to the plate's normal, so the patch does not touch the plate.
+  // longer than `deepest` and the cosine is below this limit, the patch is not in contact with the
+  // obstacle either. Example: a horizontal plate, the obstacle, is pressed into the top of a block
+  // of tissue. Some patches on the upright sides of the block are then inside the plate. Their
+  // inward normals are horizontal, so their ways out are horizontal, too. The plate's normal is
+  // vertical, so the cosine is 0, and these patches are not in contact with the plate.
   double leastSlope;
 };
 
