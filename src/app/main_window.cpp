@@ -194,8 +194,14 @@ void MainWindow::tick() {
   followExercise(state);
   const int held = tools.held();
   const ToolModel* model = held < 0 ? nullptr : &session_->toolModels()[std::size_t(held)];
-  if (const QString told = haemostasis_.follow(state, held, model, session_->operation());
-      !told.isEmpty())
+  const auto nameOf = [this](const BleedingEnd& end) {
+    std::string name;
+    session_->operation().look([&](const Simulation& s) {
+      name = s.organs()[std::size_t(end.organ)].organ.map->nameOf(end.segment);
+    });
+    return name;
+  };
+  if (const QString told = haemostasis_.follow(state, held, model, nameOf); !told.isEmpty())
     statusBar()->showMessage(told, 8000);
   if (state.timeline && strokesNoted_ != state.timeline->strokeCount()) noteRecording();
   if (!options_.reports || (state.frame == 0 && !waitsForHand_)) return;

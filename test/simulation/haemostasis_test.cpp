@@ -158,6 +158,45 @@ TEST_CASE("clips and forceps take the bleeding end at their tips, not a larger o
   }
 }
 
+TEST_CASE("a vein that bleeds elsewhere can be clipped where it is whole") {
+  Simulation simulation = block(list(instrument("clip_applier", true)));
+  step(simulation, {away()}, {cutAcross()});
+  const Vec3 place(0.006, kHeight, kDepth);  // 26 mm from the cut
+  for (const double squeeze : {0.0, 0.5, 1.0}) step(simulation, {at(place, squeeze)});
+  const VesselState& vessels = simulation.organ().vessels;
+  REQUIRE(vessels.clips.size() == 1);
+  CHECK(vessels.clips[0].share == doctest::Approx((0.006 + 0.02) / 0.07).epsilon(0.02));
+}
+
+TEST_CASE("a clip takes the bare vein between its jaws, not an artery that bleeds beside them") {
+  Discretization cells = test::fullBlock({12, 6, 12}, kSide);
+  cells.lattice.origin = Vec3::Constant(0.5 * kSide);
+  Organ organ = makeOrgan(std::move(cells), {});
+  const auto along = [](VesselKind kind, double z, double radius) {
+    return VesselSegment{kind, -1, Vec3(-0.02, kHeight, z), Vec3(0.05, kHeight, z), radius, true};
+  };
+  organ.map =
+      makeVesselMap(makeAnatomy({along(VesselKind::PortalVein, kDepth, 0.002),
+                                 along(VesselKind::HepaticArtery, kDepth + 0.006, 0.0007)}));
+  Simulation simulation(std::move(organ),
+                        list(instrument("aspirator"), instrument("clip_applier", true)));
+  groove(simulation, 0, 0.0175);
+  groove(simulation, 0, 0.0225);
+  const Vec3 vein(0.0205, kHeight, kDepth), artery(0.0205, kHeight, kDepth + 0.006);
+  step(simulation, {away(), away()}, {{0, -1, DivideVessel{1, 0.58}}});
+  StepReport report;
+  for (int i = 0; i < 10; ++i) report = step(simulation, {away(), away()});
+  REQUIRE_FALSE(report.blood.ends.empty());
+  for (const BleedingEnd& end : report.blood.ends) CHECK(end.segment == 1);
+  for (const double squeeze : {0.0, 0.5, 1.0, 0.0}) step(simulation, {away(), at(vein, squeeze)});
+  const VesselState& vessels = simulation.organ().vessels;
+  REQUIRE(vessels.clips.size() == 1);
+  CHECK(vessels.clips[0].segment == 0);
+  for (const double squeeze : {0.5, 1.0}) step(simulation, {away(), at(artery, squeeze)});
+  REQUIRE(vessels.clips.size() == 2);
+  CHECK(vessels.clips[1].segment == 1);
+}
+
 TEST_CASE("bipolar forceps seal a cut vein while their tips are closed, and only then") {
   Simulation simulation = block(list(instrument("bipolar", true)));
   StepReport report = step(simulation, {away()}, {cutAcross()});

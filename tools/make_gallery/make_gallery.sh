@@ -21,7 +21,15 @@ shown() {
   if [[ $picture == last ]]; then size=1280x720; fi
   if [[ $picture != last && $scenario != hang && $scenario != drop ]]; then plot=(--plot "$gallery/curves/$scenario.svg"); fi
   "$resect" run "$scenario" --frames "$work/$scenario" --size "$size" "${plot[@]}" >"$work/$scenario.txt"
-  convert "$(picture "$scenario" "$picture")" -resize 640x360 -colors 200 "PNG8:$gallery/$scenario.png"
+  convert "$(picture "$scenario" "$picture")" -resize 640x360 -colors 200 "PNG8:$(drawn "$scenario")"
+}
+
+# The file of the gallery for a scenario.
+drawn() {
+  case $1 in
+    bleed | stop-bleeding | bare-clip-divide | transect | pringle | cautery) echo "$gallery/blood/$1.png" ;;
+    *) echo "$gallery/$1.png" ;;
+  esac
 }
 
 # The file of a picture that was made.

@@ -173,8 +173,10 @@ def transect():
     for x in (-0.034, -0.02, -0.006):
         suction.to(x, skin(x) - 0.012, z, speed=0.03)
     suction.to(0.02, 0.08, 0.12)
-    for x, z_ in ((0.02, 0.105), (0.012, 0.075), (-0.005, 0.09), (-0.02, 0.085), (-0.02, 0.07), (-0.02, 0.085)):
-        suction.to(x, 0.004, z_, speed=0.03)
+    # The pool before the liver, row by row.
+    rows = ((0.15, -0.055, 0.02), (0.13, 0.045, -0.06), (0.11, -0.07, 0.06), (0.092, 0.055, -0.085), (0.07, -0.095, -0.07))
+    for z_, begin, end in rows:
+        suction.to(begin, 0.004, z_, speed=0.09).to(end, 0.004, z_, speed=0.09)
     suction.to(-0.02, 0.12, 0.16)
     return all_instruments(inflow_clamp=clamp, pencil=pencil, aspirator=aspirator, clip_applier=clip,
                            scissors=scissors, bipolar=bipolar, suction=suction)

@@ -31,11 +31,7 @@ const BleedingEnd* largestClosed(const std::vector<BleedingEnd>& before,
 }
 
 // "hepatic vein of segment III of 3.1 mm bled 20 ml/min"
-QString whatBled(const BleedingEnd& end, LiveOperation& operation) {
-  std::string name;
-  operation.look([&](const Simulation& s) {
-    name = s.organs()[std::size_t(end.organ)].organ.map->nameOf(end.segment);
-  });
+QString whatBled(const BleedingEnd& end, const std::string& name) {
   const double flow = 60e6 * end.flow;  // ml/min
   const QString bled = flow < 0 ? Words::tr("drew in air")
                        : flow < 0.1
@@ -50,7 +46,7 @@ QString whatBled(const BleedingEnd& end, LiveOperation& operation) {
 }  // namespace
 
 QString HaemostasisWatch::follow(const LiveState& state, int held, const ToolModel* model,
-                                 LiveOperation& operation) {
+                                 const NameOf& nameOf) {
   const bool clipper = model && model->kind == "clip_applier";
   forceps_ = model && model->kind == "bipolar";
   const auto tool = std::size_t(held);
@@ -60,15 +56,15 @@ QString HaemostasisWatch::follow(const LiveState& state, int held, const ToolMod
   held_ = held;
   if (state.time < placed_) placed_ = -1;  // an earlier moment is shown
   QString told;
-  if (known && clipper) told = followClip(state, shuts, operation);
+  if (known && clipper) told = followClip(state, shuts, nameOf);
   if (known && forceps_ && closed)
-    told = followForceps(state, shuts, state.poses[tool] * model->tip, operation);
+    told = followForceps(state, shuts, state.poses[tool] * model->tip, nameOf);
   closed_ = closed;
   if (!closed) clipsBefore_ = state.clips, endsBefore_ = state.bleedingEnds, opened_ = state.time;
   return told;
 }
 
-QString HaemostasisWatch::followClip(const LiveState& state, bool shuts, LiveOperation& operation) {
+QString HaemostasisWatch::followClip(const LiveState& state, bool shuts, const NameOf& nameOf) {
   if (shuts && state.clips > clipsBefore_) {
     placed_ = state.time;
   } else if (shuts) {
@@ -80,19 +76,19 @@ QString HaemostasisWatch::followClip(const LiveState& state, bool shuts, LiveOpe
   if (placed_ < 0 || state.time < placed_ + kSteady) return {};
   placed_ = -1;
   const BleedingEnd* end = largestClosed(endsBefore_, state.bleedingEnds);
-  return end ? Words::tr("A clip was placed: the %1").arg(whatBled(*end, operation))
+  return end ? Words::tr("A clip was placed: the %1").arg(whatBled(*end, nameOf(*end)))
              : Words::tr("A clip was placed on a vessel that does not bleed");
 }
 
 // Told as soon as the vessel is sealed, while the forceps are still closed.
 QString HaemostasisWatch::followForceps(const LiveState& state, bool shuts, const Vec3& tip,
-                                        LiveOperation& operation) {
+                                        const NameOf& nameOf) {
   if (shuts)
     std::erase_if(endsBefore_,
                   [&](const BleedingEnd& end) { return (end.place - tip).norm() > kReached; });
   const BleedingEnd* end = largestClosed(endsBefore_, state.bleedingEnds);
   if (!end) return {};
-  const QString told = Words::tr("Sealed: the %1").arg(whatBled(*end, operation));
+  const QString told = Words::tr("Sealed: the %1").arg(whatBled(*end, nameOf(*end)));
   std::erase_if(endsBefore_,
                 [&](const BleedingEnd& one) { return isClosed(one, state.bleedingEnds); });
   return told;

@@ -2,26 +2,29 @@
 #pragma once
 
 #include <QString>
+#include <functional>
+#include <string>
 #include <vector>
 
-#include "operation/live/live_operation.h"
+#include "operation/live/live_state.h"
 #include "tools/tool.h"
 
 namespace resect {
 
 class HaemostasisWatch {
  public:
+  // Gives the name of a vessel, for people.
+  using NameOf = std::function<std::string(const BleedingEnd&)>;
+
   // To be called often. Returns what to say now; empty: nothing. held: number of the tool in hand;
   // -1: none. model: its model; null: none.
-  QString follow(const LiveState& state, int held, const ToolModel* model,
-                 LiveOperation& operation);
+  QString follow(const LiveState& state, int held, const ToolModel* model, const NameOf& nameOf);
   // How long bipolar forceps have been closed, in words; empty for other instruments.
   QString howLongClosed(const LiveState& state) const;
 
  private:
-  QString followClip(const LiveState& state, bool shuts, LiveOperation& operation);
-  QString followForceps(const LiveState& state, bool shuts, const Vec3& tip,
-                        LiveOperation& operation);
+  QString followClip(const LiveState& state, bool shuts, const NameOf& nameOf);
+  QString followForceps(const LiveState& state, bool shuts, const Vec3& tip, const NameOf& nameOf);
 
   int held_ = -1;
   bool forceps_ = false;  // the tool in hand is bipolar forceps

@@ -10,7 +10,14 @@
 namespace resect {
 namespace {
 
-QString atWork(const QString& name) { return Words::tr("%1   (at work)").arg(name); }
+// The name of an instrument that works while another is in hand; with a mark where the button is
+// too narrow for words.
+QString atWork(const QToolButton& button, const QString& name) {
+  constexpr int kFrame = 16;  // pixels of the button beside its text
+  const QString words = Words::tr("%1   (at work)").arg(name);
+  const bool fits = button.fontMetrics().horizontalAdvance(words) + kFrame <= button.width();
+  return fits ? words : QString("%1 \u25cf").arg(name);
+}
 
 }  // namespace
 
@@ -27,9 +34,6 @@ void InstrumentsPanel::setTools(const std::vector<ToolModel>& tools) {
     auto* button = new QToolButton(this);
     const QString key = QString::fromStdString(keyOfTool(i));
     names_.push_back(QString("%1   %2").arg(key, translated(tools[i].name)));
-    // As wide as the longest text that it may show.
-    button->setText(atWork(names_.back()));
-    button->setMinimumWidth(button->sizeHint().width());
     button->setText(names_.back());
     button->setToolTip("<p>" + translatedInHtml(tools[i].description) + "<br>" +
                        Words::tr("Key %1 takes it in hand; Escape puts it back.").arg(key) +
@@ -49,7 +53,7 @@ void InstrumentsPanel::setTools(const std::vector<ToolModel>& tools) {
 void InstrumentsPanel::show(int held, const std::vector<std::uint8_t>& left) {
   for (std::size_t i = 0; i < buttons_.size(); ++i) {
     buttons_[i]->setChecked(int(i) == held);
-    const QString text = left[i] ? atWork(names_[i]) : names_[i];
+    const QString text = left[i] ? atWork(*buttons_[i], names_[i]) : names_[i];
     if (buttons_[i]->text() != text) buttons_[i]->setText(text);
   }
 }

@@ -1,0 +1,63 @@
+// What the window says about vessels that clips and forceps have closed.
+#include "app/advice/haemostasis_watch.h"
+
+#include <doctest/doctest.h>
+
+using namespace resect;
+
+namespace {
+
+BleedingEnd vein(double flow) {
+  return {0, 7, VesselEnd::Root, Vec3(0.001, 0.002, 0), flow, 0.0015};
+}
+
+// The state at a time: forceps or clip applier with its tip at the origin.
+LiveState stateAt(double time, double squeeze, std::vector<BleedingEnd> ends, int clips = 0) {
+  LiveState state;
+  state.time = time;
+  state.poses = {Pose()};
+  state.squeeze = {squeeze};
+  state.bleedingEnds = std::move(ends);
+  state.clips = clips;
+  return state;
+}
+
+std::string veinName(const BleedingEnd&) { return "left hepatic vein"; }
+
+}  // namespace
+
+TEST_CASE("forceps that have sealed a vessel say which, once, while they are still closed") {
+  HaemostasisWatch watch;
+  ToolModel model;
+  model.kind = "bipolar";
+  const BleedingEnd far{0, 8, VesselEnd::Root, Vec3(0.1, 0, 0), 1e-6, 0.002};
+  const auto said = [&](const LiveState& state) {
+    return watch.follow(state, 0, &model, veinName).toStdString();
+  };
+  CHECK(said(stateAt(0, 0, {vein(1e-6), far})).empty());
+  CHECK(said(stateAt(0.1, 1, {vein(1e-6), far})).empty());
+  CHECK(watch.howLongClosed(stateAt(1.6, 1, {})).toStdString().find("1.6 s") != std::string::npos);
+  CHECK(said(stateAt(1.6, 1, {vein(0.5e-6), far})).empty());
+  // The far one stops by itself, which is not the forceps' work.
+  CHECK(said(stateAt(2, 1, {})) == "Sealed: the left hepatic vein of 3.0 mm bled 60 ml/min");
+  CHECK(said(stateAt(2.1, 1, {})).empty());
+}
+
+TEST_CASE("a clip says what it has closed when the flow is steady, or that it found nothing") {
+  HaemostasisWatch watch;
+  ToolModel model;
+  model.kind = "clip_applier";
+  const auto said = [&](const LiveState& state) {
+    return watch.follow(state, 0, &model, veinName).toStdString();
+  };
+  CHECK(said(stateAt(0, 0, {vein(1e-6)})).empty());
+  CHECK(said(stateAt(0.1, 1, {vein(1e-6)}, 1)).empty());
+  CHECK(said(stateAt(0.5, 1, {}, 1)) ==
+        "A clip was placed: the left hepatic vein of 3.0 mm bled 60 ml/min");
+  CHECK(said(stateAt(1, 0, {}, 1)).empty());
+  CHECK(said(stateAt(1.1, 1, {}, 1)).find("No clip was placed") == 0);
+  // Another instrument says nothing.
+  model.kind = "hook";
+  CHECK(said(stateAt(2, 0, {vein(1e-6)})).empty());
+  CHECK(said(stateAt(2.1, 1, {})).empty());
+}
