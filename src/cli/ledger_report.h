@@ -1,4 +1,5 @@
-// The ledger of an operation for people and for programs: where all tissue is.
+// Writes the ledger of an operation as JSON and as text. The ledger says how much of each organ
+// remains, was cut off, became debris or was removed.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,7 +9,8 @@
 
 namespace resect {
 
-// One object per organ. A volume is the volume of the tissue in cells (operation/ledger/ledger.h).
+// One object per organ. Volumes are sums over cells of the tissue that each cell holds
+// (operation/ledger/ledger.h).
 // Units: ml for volumes, g for masses, cm^2 for areas, mm for margins. A margin is null as long as
 // nothing was cut or removed.
 nlohmann::ordered_json toJson(const Ledger& ledger);

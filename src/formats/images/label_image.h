@@ -18,7 +18,7 @@ namespace resect {
 inline constexpr std::int64_t kMostVoxels = std::int64_t(1) << 28;  // of an image
 // Most bytes of an image's voxels after unpacking.
 inline constexpr std::size_t kMostImageBytes = std::size_t(1) << 30;
-inline constexpr double kImageSeconds = 60;  // of processor time, for one image
+inline constexpr double kImageSeconds = 60;  // most processor time for reading one image, s
 inline constexpr int kMostLabels = 1000;     // of an image
 inline constexpr int kMostLayers = 64;       // of an image
 
