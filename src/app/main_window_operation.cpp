@@ -29,6 +29,7 @@
 #include "app/widgets/timeline_panel.h"
 #include "base/error.h"
 #include "inventor/reading/model_file.h"
+#include "inventor/scene/operating_room.h"
 #include "inventor/scene/scene_file.h"
 #include "record/session_recordings.h"
 
@@ -156,7 +157,8 @@ bool MainWindow::begin(OrganLoader::Result result) {
     session->showScale(laboratoryChosen_.value_or(result.scenario.mode == OperationMode::Thesis));
     session->moveLamp(lampPlace_);
     if (options_.reports) say("lamp {}", int(lampPlace_));
-    session->look(RoomView::Surgeon, viewer_->aspect());
+    session->look(roomView(session->scenario().view).value_or(RoomView::Surgeon),
+                  viewer_->aspect());
     if (places) {
       const int tools = std::min(int(places->tools.size()), session->tools().toolCount());
       for (int i = 0; i < tools; ++i) session->tools().setPose(i, places->tools[std::size_t(i)]);

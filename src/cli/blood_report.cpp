@@ -1,6 +1,7 @@
 #include "cli/blood_report.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace resect {
@@ -62,7 +63,15 @@ std::string toText(const BloodSummary& summary) {
       "  {:<10} {:.1f} ml bled, now {:.0f} ml/min (grade {} of 4): {:.1f} ml on organs, {:.1f} ml "
       "clotted, {:.1f} ml in pools\n",
       "blood", ml(l.bled), mlPerMinute(summary.rate), bleedingGrade(summary.rate),
-      ml(l.film + l.drops), ml(l.clotted), ml(l.pools + l.lost));
+      ml(l.film + l.drops), ml(l.clotted), ml(l.pools));
+  double fromVessels = 0;
+  for (const CutVesselSummary& v : summary.vessels) fromVessels += std::max(0.0, v.flow);
+  if (mlPerMinute(summary.rate) >= 0.5)
+    text +=
+        fmt::format("  {:<10} of this rate, {:.0f} ml/min come from cut vessels, the rest oozes\n",
+                    "", mlPerMinute(std::min(fromVessels, summary.rate)));
+  if (ml(l.lost) >= 0.05)
+    text += fmt::format("  {:<10} {:.1f} ml have run off the table\n", "", ml(l.lost));
   if (l.sucked > 0 || l.absorbed > 0)
     text += fmt::format("  {:<10} {:.1f} ml sucked, {:.1f} ml in gauze\n", "", ml(l.sucked),
                         ml(l.absorbed));

@@ -43,6 +43,32 @@ TEST_CASE("forceps that have sealed a vessel say which, once, while they are sti
   CHECK(said(stateAt(2.1, 1, {})).empty());
 }
 
+TEST_CASE("a clip names the vessel whose bleeding it has reduced most, though some is left") {
+  HaemostasisWatch watch;
+  ToolModel model;
+  model.kind = "clip_applier";
+  const BleedingEnd thin{0, 8, VesselEnd::Root, Vec3(0.002, 0, 0), 0.1e-6, 0.0005};
+  const auto said = [&](const LiveState& state) {
+    return watch.follow(state, 0, &model, veinName).toStdString();
+  };
+  CHECK(said(stateAt(0, 0, {vein(1e-6), thin})).empty());
+  CHECK(said(stateAt(0.1, 1, {vein(1e-6), thin}, 1)).empty());
+  CHECK(said(stateAt(0.5, 1, {vein(0.3e-6)}, 1)) ==
+        "A clip was placed: the left hepatic vein of 3.0 mm bled 60 ml/min, and 18 now");
+}
+
+TEST_CASE("a click that is too short for the jaws is told") {
+  HaemostasisWatch watch;
+  ToolModel model;
+  model.kind = "clip_applier";
+  const auto said = [&](double time, double squeeze) {
+    return watch.follow(stateAt(time, squeeze, {}), 0, &model, veinName).toStdString();
+  };
+  for (const double squeeze : {0.0, 0.3, 0.6}) CHECK(said(squeeze, squeeze).empty());
+  CHECK(said(0.7, 0.2).find("The jaws did not close") == 0);
+  CHECK(said(0.8, 0).empty());
+}
+
 TEST_CASE("a clip says what it has closed when the flow is steady, or that it found nothing") {
   HaemostasisWatch watch;
   ToolModel model;

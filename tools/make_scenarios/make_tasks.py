@@ -234,12 +234,13 @@ def control_bleeding(operator):
 def control_bleeding_scenario(operator):
     goal = {"kind": '"stop-bleeding"', "rate_ml_min": 10, "from_ml_min": 60, "hold": 1}
     text = task("Control of a bleeding vessel: clear the wound, close the vessel, then what is left.", goal,
-                {"blood_loss_ml": 90, "vessels_open": 0, "bleeding_s": 45, "total_time_s": 75},
-                {"easy": {"blood_loss_ml": 180, "bleeding_s": 90, "total_time_s": 150},
-                 "hard": {"blood_loss_ml": 45, "bleeding_s": 25, "total_time_s": 40}},
+                {"blood_loss_ml": 120, "vessels_open": 0, "bleeding_s": 60, "total_time_s": 90},
+                {"easy": {"blood_loss_ml": 240, "bleeding_s": 120, "total_time_s": 180},
+                 "hard": {"blood_loss_ml": 60, "bleeding_s": 30, "total_time_s": 45}},
                 ["suction", "clip_applier", "bipolar", "gauze"],
-                ["Suck the blood away to see where it comes from, or press a swab on it.",
-                 "Close the branch with a clip.", "Seal what still bleeds with the bipolar forceps."],
+                ["Close the vessel at the largest ring with a clip.",
+                 "Suck the blood away, or press a swab on it, where it hides the wound.",
+                 "Seal what still bleeds with the bipolar forceps."],
                 background=WHY_CONTROL, bands=("lefor-2022",))
     line = ", ".join("{} = [{}]".format(key, ", ".join(f"{v:g}" for v in value))
                      for key, value in zip(("from", "to", "into"), WOUND))

@@ -10,8 +10,10 @@
 namespace resect {
 namespace {
 
-constexpr double kStopped = 0.2;  // of the flow before: an end that bleeds less is closed
-constexpr double kSteady = 0.3;   // s after which the flow past a new clip is steady
+constexpr double kStopped = 0.2;        // of the flow before: an end that bleeds less is closed
+constexpr double kNothing = 1e-7 / 60;  // m^3/s, 0.1 ml/min: a smaller change is none
+constexpr double kBegun = 0.15;         // squeeze of jaws that somebody has begun to close
+constexpr double kSteady = 0.3;         // s after which the flow past a new clip is steady
 constexpr double kReached = 3 * kBipolarTakes;  // m: the heat of forceps reaches no farther
 
 bool isClosed(const BleedingEnd& end, const std::vector<BleedingEnd>& now) {
@@ -21,22 +23,37 @@ bool isClosed(const BleedingEnd& end, const std::vector<BleedingEnd>& now) {
   });
 }
 
-// The end of the largest flow before that is closed now; null: there is none.
-const BleedingEnd* largestClosed(const std::vector<BleedingEnd>& before,
-                                 const std::vector<BleedingEnd>& now) {
-  const BleedingEnd* most = nullptr;
-  for (const BleedingEnd& end : before)
-    if ((!most || std::abs(end.flow) > std::abs(most->flow)) && isClosed(end, now)) most = &end;
-  return most;
+double flowNow(const BleedingEnd& end, const std::vector<BleedingEnd>& now) {
+  const auto same = std::ranges::find_if(now, [&](const BleedingEnd& other) {
+    return other.organ == end.organ && other.segment == end.segment && other.end == end.end;
+  });
+  return same == now.end() ? 0 : same->flow;
 }
 
-// "hepatic vein of segment III of 3.1 mm bled 20 ml/min"
-QString whatBled(const BleedingEnd& end, const std::string& name) {
-  const double flow = 60e6 * end.flow;  // ml/min
-  const QString bled = flow < 0 ? Words::tr("drew in air")
-                       : flow < 0.1
-                           ? Words::tr("hardly bled")
-                           : Words::tr("bled %1 ml/min").arg(flow, 0, 'f', flow < 10 ? 1 : 0);
+// The end whose flow has fallen most; null: none has fallen by more than kNothing.
+const BleedingEnd* mostStopped(const std::vector<BleedingEnd>& before,
+                               const std::vector<BleedingEnd>& now) {
+  const BleedingEnd* best = nullptr;
+  double most = kNothing;
+  for (const BleedingEnd& end : before) {
+    const double fallen = std::abs(end.flow) - std::abs(flowNow(end, now));
+    if (fallen > most) most = fallen, best = &end;
+  }
+  return best;
+}
+
+QString millilitres(double perMinute) {
+  return QString::number(perMinute, 'f', perMinute < 10 ? 1 : 0);
+}
+
+// "hepatic vein of segment III of 3.1 mm bled 20 ml/min, and 4.0 now". left: its flow now, m^3/s.
+QString whatBled(const BleedingEnd& end, double left, const std::string& name) {
+  const double flow = 60e6 * end.flow, still = 60e6 * left;  // ml/min
+  const QString bled =
+      flow < 0 ? Words::tr("drew in air")
+      : still < 1
+          ? Words::tr("bled %1 ml/min").arg(millilitres(flow))
+          : Words::tr("bled %1 ml/min, and %2 now").arg(millilitres(flow), millilitres(still));
   return Words::tr("%1 of %2 mm %3")
       .arg(translated(name))
       .arg(2e3 * end.radius, 0, 'f', 1)
@@ -52,13 +69,23 @@ QString HaemostasisWatch::follow(const LiveState& state, int held, const ToolMod
   const auto tool = std::size_t(held);
   const bool known = model && tool < state.squeeze.size() && tool < state.poses.size();
   const bool closed = known && state.squeeze[tool] >= (forceps_ ? kBipolarCloses : kClipCloses);
-  const bool shuts = closed && !closed_ && held == held_;
+  const bool sameTool = held == held_;
+  const bool shuts = closed && !closed_ && sameTool;
   held_ = held;
   if (state.time < placed_) placed_ = -1;  // an earlier moment is shown
   QString told;
   if (known && clipper) told = followClip(state, shuts, nameOf);
   if (known && forceps_ && closed)
     told = followForceps(state, shuts, state.poses[tool] * model->tip, nameOf);
+  // A click may be too short for the jaws to close.
+  if (!sameTool || closed || closed_) most_ = 0;
+  if (known && sameTool && !closed && !closed_ && (clipper || forceps_)) {
+    most_ = std::max(most_, state.squeeze[tool]);
+    if (most_ > kBegun && state.squeeze[tool] < 0.5 * most_) {
+      most_ = 0;
+      told = Words::tr("The jaws did not close: hold the button down for half a second");
+    }
+  }
   closed_ = closed;
   if (!closed) clipsBefore_ = state.clips, endsBefore_ = state.bleedingEnds, opened_ = state.time;
   return told;
@@ -75,8 +102,9 @@ QString HaemostasisWatch::followClip(const LiveState& state, bool shuts, const N
   }
   if (placed_ < 0 || state.time < placed_ + kSteady) return {};
   placed_ = -1;
-  const BleedingEnd* end = largestClosed(endsBefore_, state.bleedingEnds);
-  return end ? Words::tr("A clip was placed: the %1").arg(whatBled(*end, nameOf(*end)))
+  const BleedingEnd* end = mostStopped(endsBefore_, state.bleedingEnds);
+  return end ? Words::tr("A clip was placed: the %1")
+                   .arg(whatBled(*end, flowNow(*end, state.bleedingEnds), nameOf(*end)))
              : Words::tr("A clip was placed on a vessel that does not bleed");
 }
 
@@ -86,9 +114,9 @@ QString HaemostasisWatch::followForceps(const LiveState& state, bool shuts, cons
   if (shuts)
     std::erase_if(endsBefore_,
                   [&](const BleedingEnd& end) { return (end.place - tip).norm() > kReached; });
-  const BleedingEnd* end = largestClosed(endsBefore_, state.bleedingEnds);
-  if (!end) return {};
-  const QString told = Words::tr("Sealed: the %1").arg(whatBled(*end, nameOf(*end)));
+  const BleedingEnd* end = mostStopped(endsBefore_, state.bleedingEnds);
+  if (!end || !isClosed(*end, state.bleedingEnds)) return {};
+  const QString told = Words::tr("Sealed: the %1").arg(whatBled(*end, 0, nameOf(*end)));
   std::erase_if(endsBefore_,
                 [&](const BleedingEnd& one) { return isClosed(one, state.bleedingEnds); });
   return told;

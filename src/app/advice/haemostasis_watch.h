@@ -29,6 +29,7 @@ class HaemostasisWatch {
   int held_ = -1;
   bool forceps_ = false;  // the tool in hand is bipolar forceps
   bool closed_ = false;   // its jaws were closed at the last call
+  double most_ = 0;       // largest squeeze of its jaws since they were open, if they never closed
   // Number of clips on vessels, the bleeding ends, and the simulated time, s, when the jaws were
   // last open.
   int clipsBefore_ = 0;

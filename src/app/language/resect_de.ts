@@ -216,14 +216,6 @@
         <translation>Kontrolle eines blutenden Gefäßes: die Wunde frei räumen, das Gefäß verschließen, dann das Übrige.</translation>
     </message>
     <message>
-        <source>Suck the blood away to see where it comes from, or press a swab on it.</source>
-        <translation>Saugen Sie das Blut ab, um zu sehen, woher es kommt, oder drücken Sie einen Tupfer darauf.</translation>
-    </message>
-    <message>
-        <source>Close the branch with a clip.</source>
-        <translation>Verschließen Sie den Ast mit einem Clip.</translation>
-    </message>
-    <message>
         <source>Seal what still bleeds with the bipolar forceps.</source>
         <translation>Versiegeln Sie mit der bipolaren Pinzette, was noch blutet.</translation>
     </message>
@@ -466,6 +458,14 @@
     <message>
         <source>Free a hepatic vein of 3 mm with the aspirator, close it with two clips, and cut it between them</source>
         <translation>Legen Sie eine Lebervene von 3 mm mit dem Aspirator frei, verschließen Sie sie mit zwei Clips, und durchtrennen Sie sie dazwischen</translation>
+    </message>
+    <message>
+        <source>Close the vessel at the largest ring with a clip.</source>
+        <translation>Verschließen Sie das Gefäß am größten Ring mit einem Clip.</translation>
+    </message>
+    <message>
+        <source>Suck the blood away, or press a swab on it, where it hides the wound.</source>
+        <translation>Saugen Sie das Blut ab, wo es die Wunde verdeckt, oder drücken Sie ein Tuch darauf.</translation>
     </message>
 </context>
 <context>
@@ -2758,10 +2758,6 @@
         <translation>Ein Clip wurde auf ein Gefäß gesetzt, das nicht blutet</translation>
     </message>
     <message>
-        <source>hardly bled</source>
-        <translation>blutete kaum</translation>
-    </message>
-    <message>
         <source>Air drawn in</source>
         <translation>Angesaugte Luft</translation>
     </message>
@@ -3840,6 +3836,18 @@
     <message>
         <source>The scenario has ended. Take an instrument to go on, or drag the mark in the timeline to look back.</source>
         <translation>Das Szenario ist zu Ende. Nehmen Sie ein Instrument, um weiterzumachen, oder ziehen Sie die Marke in der Zeitleiste, um zurückzuschauen.</translation>
+    </message>
+    <message>
+        <source>bled %1 ml/min, and %2 now</source>
+        <translation>blutete mit %1 ml/min, jetzt mit %2</translation>
+    </message>
+    <message>
+        <source>The jaws did not close: hold the button down for half a second</source>
+        <translation>Das Maul hat sich nicht geschlossen: die Taste eine halbe Sekunde lang halten</translation>
+    </message>
+    <message>
+        <source>Take an instrument: press its number, or click it in the list. P shows how the scenario does it, F1 all controls.</source>
+        <translation>Nehmen Sie ein Instrument: seine Nummer drücken oder es in der Liste anklicken. P zeigt, wie das Szenario es macht, F1 alle Bedienungen.</translation>
     </message>
 </context>
 </TS>

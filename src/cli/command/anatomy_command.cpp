@@ -271,11 +271,11 @@ void anatomy(const AnatomyOptions& options) {
       volumes += fmt::format("{}{} {:.0f}", k > 1 ? ", " : "", romanNumber(k), 1e6 * volume), ++k;
     printLine(text, "segments, ml: {}", volumes);
   }
-  if (!lost.empty())
-    printLine(
-        text,
-        "ml/s out of a vessel severed in its middle, at the height of the hilum:\n"
-        "                 diameter   open   all of this width   clip before it   inflow clamped");
+  if (!lost.empty()) {
+    printLine(text, "ml/s out of a vessel severed in its middle, at the height of the hilum:");
+    printLine(text, "{:<14} {:>10} {:>6} {:>19} {:>16} {:>16}", "", "diameter", "open",
+              "all of this width", "clip before it", "inflow clamped");
+  }
   for (const auto& row : lost)
     printLine(text, "{:<14} {:7.2f} mm {:6.2f} {:>19} {:16.2f} {:16.2f}",
               row["kind"].get<std::string>(), row["diameter_mm"].get<double>(),
