@@ -22,68 +22,61 @@ LiveState stateAt(double time, double squeeze, std::vector<BleedingEnd> ends, in
   return state;
 }
 
-std::string veinName(const BleedingEnd&) { return "left hepatic vein"; }
+// Somebody with an instrument of this kind in hand.
+struct Hand {
+  HaemostasisWatch watch;
+  ToolModel model;
+
+  explicit Hand(const char* kind) { model.kind = kind; }
+  std::string said(const LiveState& state) {
+    const auto name = [](const BleedingEnd&) { return std::string("left hepatic vein"); };
+    return watch.follow(state, 0, &model, name).toStdString();
+  }
+};
 
 }  // namespace
 
 TEST_CASE("forceps that have sealed a vessel say which, once, while they are still closed") {
-  HaemostasisWatch watch;
-  ToolModel model;
-  model.kind = "bipolar";
+  Hand hand("bipolar");
   const BleedingEnd far{0, 8, VesselEnd::Root, Vec3(0.1, 0, 0), 1e-6, 0.002};
-  const auto said = [&](const LiveState& state) {
-    return watch.follow(state, 0, &model, veinName).toStdString();
-  };
-  CHECK(said(stateAt(0, 0, {vein(1e-6), far})).empty());
-  CHECK(said(stateAt(0.1, 1, {vein(1e-6), far})).empty());
-  CHECK(watch.howLongClosed(stateAt(1.6, 1, {})).toStdString().find("1.6 s") != std::string::npos);
-  CHECK(said(stateAt(1.6, 1, {vein(0.5e-6), far})).empty());
+  CHECK(hand.said(stateAt(0, 0, {vein(1e-6), far})).empty());
+  CHECK(hand.said(stateAt(0.1, 1, {vein(1e-6), far})).empty());
+  CHECK(hand.watch.howLongClosed(stateAt(1.6, 1, {})).contains("1.6 s"));
+  CHECK(hand.said(stateAt(1.6, 1, {vein(0.5e-6), far})).empty());
   // The far one stops by itself, which is not the forceps' work.
-  CHECK(said(stateAt(2, 1, {})) == "Sealed: the left hepatic vein of 3.0 mm bled 60 ml/min");
-  CHECK(said(stateAt(2.1, 1, {})).empty());
+  CHECK(hand.said(stateAt(2, 1, {})) == "Sealed: the left hepatic vein of 3.0 mm bled 60 ml/min");
+  CHECK(hand.said(stateAt(2.1, 1, {})).empty());
 }
 
 TEST_CASE("a clip names the vessel whose bleeding it has reduced most, though some is left") {
-  HaemostasisWatch watch;
-  ToolModel model;
-  model.kind = "clip_applier";
+  Hand hand("clip_applier");
   const BleedingEnd thin{0, 8, VesselEnd::Root, Vec3(0.002, 0, 0), 0.1e-6, 0.0005};
-  const auto said = [&](const LiveState& state) {
-    return watch.follow(state, 0, &model, veinName).toStdString();
-  };
-  CHECK(said(stateAt(0, 0, {vein(1e-6), thin})).empty());
-  CHECK(said(stateAt(0.1, 1, {vein(1e-6), thin}, 1)).empty());
-  CHECK(said(stateAt(0.5, 1, {vein(0.3e-6)}, 1)) ==
+  CHECK(hand.said(stateAt(0, 0, {vein(1e-6), thin})).empty());
+  CHECK(hand.said(stateAt(0.1, 1, {vein(1e-6), thin}, 1)).empty());
+  CHECK(hand.said(stateAt(0.5, 1, {vein(0.3e-6)}, 1)) ==
         "A clip was placed: the left hepatic vein of 3.0 mm bled 60 ml/min, and 18 now");
 }
 
 TEST_CASE("a click that is too short for the jaws is told") {
-  HaemostasisWatch watch;
-  ToolModel model;
-  model.kind = "clip_applier";
-  const auto said = [&](double time, double squeeze) {
-    return watch.follow(stateAt(time, squeeze, {}), 0, &model, veinName).toStdString();
-  };
-  for (const double squeeze : {0.0, 0.3, 0.6}) CHECK(said(squeeze, squeeze).empty());
-  CHECK(said(0.7, 0.2).find("The jaws did not close") == 0);
-  CHECK(said(0.8, 0).empty());
+  Hand hand("clip_applier");
+  for (const double squeeze : {0.0, 0.3, 0.6})
+    CHECK(hand.said(stateAt(squeeze, squeeze, {})).empty());
+  CHECK(hand.said(stateAt(0.7, 0.2, {})).find("The jaws did not close") == 0);
+  CHECK(hand.said(stateAt(0.8, 0, {})).empty());
 }
 
 TEST_CASE("a clip says what it has closed when the flow is steady, or that it found nothing") {
-  HaemostasisWatch watch;
-  ToolModel model;
-  model.kind = "clip_applier";
-  const auto said = [&](const LiveState& state) {
-    return watch.follow(state, 0, &model, veinName).toStdString();
-  };
-  CHECK(said(stateAt(0, 0, {vein(1e-6)})).empty());
-  CHECK(said(stateAt(0.1, 1, {vein(1e-6)}, 1)).empty());
-  CHECK(said(stateAt(0.5, 1, {}, 1)) ==
+  Hand hand("clip_applier");
+  CHECK(hand.said(stateAt(0, 0, {vein(1e-6)})).empty());
+  CHECK(hand.said(stateAt(0.1, 1, {vein(1e-6)}, 1)).empty());
+  // The jaws may be open again by then.
+  CHECK(hand.said(stateAt(0.2, 0, {}, 1)).empty());
+  CHECK(hand.said(stateAt(0.5, 0, {}, 1)) ==
         "A clip was placed: the left hepatic vein of 3.0 mm bled 60 ml/min");
-  CHECK(said(stateAt(1, 0, {}, 1)).empty());
-  CHECK(said(stateAt(1.1, 1, {}, 1)).find("No clip was placed") == 0);
+  CHECK(hand.said(stateAt(1, 0, {}, 1)).empty());
+  CHECK(hand.said(stateAt(1.1, 1, {}, 1)).find("No clip was placed") == 0);
   // Another instrument says nothing.
-  model.kind = "hook";
-  CHECK(said(stateAt(2, 0, {vein(1e-6)})).empty());
-  CHECK(said(stateAt(2.1, 1, {})).empty());
+  hand.model.kind = "hook";
+  CHECK(hand.said(stateAt(2, 0, {vein(1e-6)})).empty());
+  CHECK(hand.said(stateAt(2.1, 1, {})).empty());
 }

@@ -16,13 +16,6 @@ constexpr double kBegun = 0.15;         // squeeze of jaws that somebody has beg
 constexpr double kSteady = 0.3;         // s after which the flow past a new clip is steady
 constexpr double kReached = 3 * kBipolarTakes;  // m: the heat of forceps reaches no farther
 
-bool isClosed(const BleedingEnd& end, const std::vector<BleedingEnd>& now) {
-  return std::ranges::none_of(now, [&](const BleedingEnd& other) {
-    return other.organ == end.organ && other.segment == end.segment && other.end == end.end &&
-           std::abs(other.flow) > kStopped * std::abs(end.flow);
-  });
-}
-
 double flowNow(const BleedingEnd& end, const std::vector<BleedingEnd>& now) {
   const auto same = std::ranges::find_if(now, [&](const BleedingEnd& other) {
     return other.organ == end.organ && other.segment == end.segment && other.end == end.end;
@@ -30,14 +23,19 @@ double flowNow(const BleedingEnd& end, const std::vector<BleedingEnd>& now) {
   return same == now.end() ? 0 : same->flow;
 }
 
-// The end whose flow has fallen most; null: none has fallen by more than kNothing.
+bool isClosed(const BleedingEnd& end, const std::vector<BleedingEnd>& now) {
+  return std::abs(flowNow(end, now)) <= kStopped * std::abs(end.flow);
+}
+
+// The end whose flow has fallen most; null: none has fallen by more than kNothing. closed: only
+// ends that are closed now.
 const BleedingEnd* mostStopped(const std::vector<BleedingEnd>& before,
-                               const std::vector<BleedingEnd>& now) {
+                               const std::vector<BleedingEnd>& now, bool closed) {
   const BleedingEnd* best = nullptr;
   double most = kNothing;
   for (const BleedingEnd& end : before) {
     const double fallen = std::abs(end.flow) - std::abs(flowNow(end, now));
-    if (fallen > most) most = fallen, best = &end;
+    if (fallen > most && (!closed || isClosed(end, now))) most = fallen, best = &end;
   }
   return best;
 }
@@ -72,7 +70,8 @@ QString HaemostasisWatch::follow(const LiveState& state, int held, const ToolMod
   const bool sameTool = held == held_;
   const bool shuts = closed && !closed_ && sameTool;
   held_ = held;
-  if (state.time < placed_) placed_ = -1;  // an earlier moment is shown
+  // Another instrument was taken, or an earlier moment is shown.
+  if (!clipper || state.time < placed_) placed_ = -1;
   QString told;
   if (known && clipper) told = followClip(state, shuts, nameOf);
   if (known && forceps_ && closed)
@@ -87,7 +86,9 @@ QString HaemostasisWatch::follow(const LiveState& state, int held, const ToolMod
     }
   }
   closed_ = closed;
-  if (!closed) clipsBefore_ = state.clips, endsBefore_ = state.bleedingEnds, opened_ = state.time;
+  if (!closed) opened_ = state.time;
+  // What bled before a clip is kept until its effect is told, though the jaws are open again.
+  if (!closed && placed_ < 0) clipsBefore_ = state.clips, endsBefore_ = state.bleedingEnds;
   return told;
 }
 
@@ -102,7 +103,7 @@ QString HaemostasisWatch::followClip(const LiveState& state, bool shuts, const N
   }
   if (placed_ < 0 || state.time < placed_ + kSteady) return {};
   placed_ = -1;
-  const BleedingEnd* end = mostStopped(endsBefore_, state.bleedingEnds);
+  const BleedingEnd* end = mostStopped(endsBefore_, state.bleedingEnds, false);
   return end ? Words::tr("A clip was placed: the %1")
                    .arg(whatBled(*end, flowNow(*end, state.bleedingEnds), nameOf(*end)))
              : Words::tr("A clip was placed on a vessel that does not bleed");
@@ -114,8 +115,8 @@ QString HaemostasisWatch::followForceps(const LiveState& state, bool shuts, cons
   if (shuts)
     std::erase_if(endsBefore_,
                   [&](const BleedingEnd& end) { return (end.place - tip).norm() > kReached; });
-  const BleedingEnd* end = mostStopped(endsBefore_, state.bleedingEnds);
-  if (!end || !isClosed(*end, state.bleedingEnds)) return {};
+  const BleedingEnd* end = mostStopped(endsBefore_, state.bleedingEnds, true);
+  if (!end) return {};
   const QString told = Words::tr("Sealed: the %1").arg(whatBled(*end, 0, nameOf(*end)));
   std::erase_if(endsBefore_,
                 [&](const BleedingEnd& one) { return isClosed(one, state.bleedingEnds); });
