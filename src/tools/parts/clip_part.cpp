@@ -36,20 +36,22 @@ struct Nearest {
   double share, distance;  // of the segment's length; m
 };
 
-// The place of a segment that is now nearest to a point of the world.
-Nearest nearestNow(const Organ& organ, const TissueModel& tissue, const VesselSegment& s,
-                   const Vec3& point) {
+// The place of a segment that is now nearest to a point of the world. Only places within `around`,
+// m, of that point's place at rest are looked at.
+Nearest nearestNow(const Touch& touch, const VesselSegment& s, const Vec3& point, const Vec3& rest,
+                   double around) {
   const int steps = std::max(1, int(std::ceil(s.length() / kSample)));
   Nearest nearest{0, std::numeric_limits<double>::infinity()};
   for (int k = 0; k <= steps; ++k) {
     const double share = double(k) / steps;
-    const double distance = (presentPlace(organ, tissue, s.at(share)) - point).norm();
+    if ((s.at(share) - rest).norm() > around) continue;
+    const double distance = (presentPlace(touch.organ, touch.tissue, s.at(share)) - point).norm();
     if (distance < nearest.distance) nearest = {share, distance};
   }
   return nearest;
 }
 
-// On a vessel that bleeds more than `least`, m^3/s, within `reach` of the tip, behind its nearest
+// On a vessel that bleeds at least `least`, m^3/s, within `reach` of the tip, behind its nearest
 // end.
 std::optional<PlaceClip> onBleeding(const Touch& touch, const Vec3& tip, double reach,
                                     double least) {
@@ -77,7 +79,7 @@ std::optional<PlaceClip> onWhole(const Touch& touch, const Vec3& tip, const Vec3
   for (const std::int32_t i : near) {
     const VesselSegment& s = map.anatomy.segments[std::size_t(i)];
     if (!holdsClip(s.radius) || (bare && !std::ranges::binary_search(state.bared, i))) continue;
-    const auto [share, distance] = nearestNow(touch.organ, touch.tissue, s, tip);
+    const auto [share, distance] = nearestNow(touch, s, tip, rest, reach + kAstray);
     const VesselInjury* injury = state.injury(i);
     if (distance > reach || (injury && share >= injury->from && share <= injury->to)) continue;
     const bool there = std::ranges::any_of(state.clips, [&](const VesselClip& c) {
