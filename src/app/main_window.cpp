@@ -250,11 +250,14 @@ bool MainWindow::viewerEvent(const SoEvent& event, const SbViewportRegion& viewp
   return true;
 }
 
+bool MainWindow::hasMotions() const {
+  return std::ranges::any_of(session_->scenario().tools,
+                             [](const ScenarioTool& tool) { return !tool.keys.empty(); });
+}
+
 void MainWindow::play(double until) {
   if (!session_) return;
-  const auto& tools = session_->scenario().tools;
-  if (std::ranges::all_of(tools, [](const ScenarioTool& tool) { return tool.keys.empty(); }))
-    return complain("There is no motion to play; open a scenario that has one.");
+  if (!hasMotions()) return complain("There is no motion to play; open a scenario that has one.");
   session_->play(until);
 }
 

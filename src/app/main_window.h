@@ -92,6 +92,7 @@ class MainWindow : public QMainWindow {
   void beginAgain(std::optional<double> spacing, int refine, bool elastic);
   void showLaboratory(bool shown);
   void arrangePanels();
+  bool hasMotions() const;  // whether the scenario moves any tool
   QString nextStep() const;
   void keepTime();
   void followPanels(const LiveState& state, qint64 now);

@@ -92,10 +92,6 @@ QString useOf(const std::string& kind) {
                                 : Words::tr(use->second);
 }
 
-bool hasMotions(const Scenario& scenario) {
-  return std::ranges::any_of(scenario.tools, [](const ScenarioTool& t) { return !t.keys.empty(); });
-}
-
 // The first tool in hand in the motions being played; -1 for none.
 int playedTool(const LiveState& state) {
   const auto at = std::ranges::find_if(state.played, &ToolInput::inHand);
@@ -267,7 +263,7 @@ QString MainWindow::nextStep() const {
           : QString();
   switch (tools.how()) {
     case ToolHandling::Hold::None:
-      if (!attempt_ && hasMotions(session_->scenario()))
+      if (!attempt_ && hasMotions())
         return Words::tr(
             "Take an instrument: press its number, or click it in the list. P shows how the "
             "scenario does it, F1 all controls.");
