@@ -113,6 +113,13 @@ def skin(x):
     raise ValueError(x)
 
 
+def coagulate(bipolar, places):
+    """The forceps close for 1.8 s at each place, and go aside."""
+    for x, y, z in places:
+        bipolar.to(x, y + 0.014, z, speed=0.2).to(x, y, z, speed=0.12).grasp(1.8).to(x, y + 0.014, z, speed=0.2)
+    bipolar.to(0.03, 0.18, 0.1)
+
+
 def transect():
     """A part of a left lateral sectionectomy: inflow clamped, capsule scored, parenchyma aspirated over 6 cm^2, three
     vessels clipped, thin ones sealed, all divided, the inflow opened again, what still bleeds coagulated."""
@@ -146,14 +153,7 @@ def transect():
     bipolar = Path3(handle=(0.1, 0.95, 0.3), edge=(0, -0.3, 0.95), speed=0.3)
     bipolar.wait(clip.time - 0.6)
     bipolar.to(0.03, 0.18, 0.1)
-
-    def coagulate(ends):
-        for place in ends:
-            bipolar.to(place[0], place[1] + 0.014, place[2], speed=0.2).to(*place, speed=0.12).grasp(1.8)
-            bipolar.to(place[0], place[1] + 0.014, place[2], speed=0.2)
-        bipolar.to(0.03, 0.18, 0.1)
-
-    coagulate(SEALED + OPENED)
+    coagulate(bipolar, SEALED + OPENED)
     scissors = Path3(handle=(0, 0.95, 0.3), edge=(1, 0, 0), speed=0.3)
     scissors.wait(bipolar.time - 0.6)
     scissors.to(-0.02, 0.18, 0.1)
@@ -162,10 +162,10 @@ def transect():
         scissors.to(x, y + 0.034, z_, speed=0.15)
     scissors.to(-0.02, 0.18, 0.1)
     bipolar.wait(scissors.time - 0.6 - bipolar.time)
-    coagulate(SEEN)
+    coagulate(bipolar, SEEN)
     clamp.hold_until(bipolar.time)
     clamp.jaws(0.0).to(0.12, 0.15, 0.03)
-    coagulate(SEEN_WITH_INFLOW + OOZES)
+    coagulate(bipolar, SEEN_WITH_INFLOW + OOZES)
     suction = Path3(handle=(-0.3, 0.9, 0.3), edge=(0, -0.3, 0.9), speed=0.3)
     suction.wait(aspirator.time - 6)
     suction.to(-0.06, 0.16, 0.1).to(-0.012, skin(-0.012) + 0.004, z + 0.008)
@@ -248,9 +248,7 @@ def bare_clip_divide():
     bipolar = Path3(handle=(0.1, 0.95, 0.3), edge=(0, -0.3, 0.95), speed=0.3)
     bipolar.wait(aspirator.time - 0.6)
     bipolar.to(0.03, 0.18, 0.1)
-    for x, y, z in SPURTING:
-        bipolar.to(x, y + 0.014, z, speed=0.2).to(x, y, z, speed=0.12).grasp(1.8).to(x, y + 0.014, z, speed=0.2)
-    bipolar.to(0.03, 0.18, 0.1)
+    coagulate(bipolar, SPURTING)
     clip = Path3(handle=(0.1, 0.95, 0.3), edge=(0, -0.3, 0.95), speed=0.3)
     clip.wait(bipolar.time - 0.6)
     clip.to(0.03, 0.18, 0.1)
@@ -266,9 +264,7 @@ def bare_clip_divide():
         scissors.to(x + 0.41 * aside, y - 0.002, z - 0.89 * aside, speed=0.02).jaws(1.0).jaws(0.0)
     scissors.to(x, y + 0.03, z, speed=0.1).to(0.0, 0.18, 0.1)
     bipolar.wait(scissors.time - 0.6 - bipolar.time)
-    for x, y, z in LEFT_OPEN:
-        bipolar.to(x, y + 0.014, z, speed=0.2).to(x, y, z, speed=0.12).grasp(1.8).to(x, y + 0.014, z, speed=0.2)
-    bipolar.to(0.03, 0.18, 0.1)
+    coagulate(bipolar, LEFT_OPEN)
     suction = Path3(handle=(-0.3, 0.9, 0.3), edge=(0, -0.3, 0.9), speed=0.3)
     suction.wait(aspirator.time - 3)
     suction.to(-0.04, 0.14, 0.06).to(-0.008, 0.038, 0.012, speed=0.1)
