@@ -129,12 +129,32 @@ MainWindow::~MainWindow() {
   viewer_->ticked = {};
 }
 
+// In the line below the picture. In each tick, since a click may be short.
+void MainWindow::sayWhatIsClosed(const LiveState& state) {
+  const int held = session_->tools().held();
+  const ToolModel* model = held < 0 ? nullptr : &session_->toolModels()[std::size_t(held)];
+  const auto nameOf = [this](const BleedingEnd& end) {
+    std::string name;
+    session_->operation().look([&](const Simulation& s) {
+      name = s.organs()[std::size_t(end.organ)].organ.map->nameOf(end.segment);
+    });
+    return name;
+  };
+  const QString told = haemostasis_.follow(state, held, model, nameOf);
+  if (told.isEmpty()) return;
+  statusBar()->showMessage(told, 8000);
+  if (options_.reports) say("told {}", told.toStdString());
+}
+
 // The time of the operation stands still behind the cards of the exercises, until an exercise's
 // first instrument is taken, and while a menu or a dialog is open.
 void MainWindow::keepTime() {
-  session_->operation().setPaused(exercises_->isVisible() || waitsForHand_ ||
-                                  QApplication::activePopupWidget() ||
+  const bool menu = QApplication::activePopupWidget() != nullptr;
+  session_->operation().setPaused(exercises_->isVisible() || waitsForHand_ || menu ||
                                   QApplication::activeModalWidget());
+  // Qt leaves the keys with the bar of menus after Escape; they belong to the picture.
+  if (menuOpen_ && !menu && menuBar()->hasFocus()) viewer_->setFocus();
+  menuOpen_ = menu;
 }
 
 void MainWindow::tick() {
@@ -188,21 +208,11 @@ void MainWindow::tick() {
   playingSaid_ = session_->playing();
   if (options_.reports) reportMoment();
   if (options_.reports) reportPace();
+  sayWhatIsClosed(state);
   if (now - panelsShown_ < kPanelInterval) return;
   panelsShown_ = now;
   followPanels(state, now);
   followExercise(state);
-  const int held = tools.held();
-  const ToolModel* model = held < 0 ? nullptr : &session_->toolModels()[std::size_t(held)];
-  const auto nameOf = [this](const BleedingEnd& end) {
-    std::string name;
-    session_->operation().look([&](const Simulation& s) {
-      name = s.organs()[std::size_t(end.organ)].organ.map->nameOf(end.segment);
-    });
-    return name;
-  };
-  if (const QString told = haemostasis_.follow(state, held, model, nameOf); !told.isEmpty())
-    statusBar()->showMessage(told, 8000);
   if (state.timeline && strokesNoted_ != state.timeline->strokeCount()) noteRecording();
   if (!options_.reports || (state.frame == 0 && !waitsForHand_)) return;
   // After the layout of the panels is final.

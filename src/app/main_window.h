@@ -95,6 +95,7 @@ class MainWindow : public QMainWindow {
   bool hasMotions() const;  // whether the scenario moves any tool
   QString nextStep() const;
   void keepTime();
+  void sayWhatIsClosed(const LiveState& state);
   void followPanels(const LiveState& state, qint64 now);
   bool begin(OrganLoader::Result result);  // false: cannot be shown; the user was told
   std::shared_ptr<Recorder> record(const OrganLoader::Result& result);
@@ -222,6 +223,7 @@ class MainWindow : public QMainWindow {
   bool attemptEnded_ = false;
   bool waitsForHand_ = false;  // no instrument was taken yet, so the time has not started
   HaemostasisWatch haemostasis_;
+  bool menuOpen_ = false;  // a menu was open at the last tick
   // asTest_: the present exercise is a test. startedAsTest_: the exercise that is being loaded is a
   // test.
   bool asTest_ = false, startedAsTest_ = false;

@@ -106,9 +106,31 @@ class Faults(ScreenTest):
         self.screen.key("alt+v")
         time.sleep(0.5)
         self.assertLess(passed(), 0.05)
-        self.screen.key("Escape", "Escape")
+        self.screen.key("Escape")
         time.sleep(0.5)
         self.assertGreater(passed(), 0.5)
+        self.screen.key("1")  # the keys are the picture's again
+        window.wait("held", 10)
+
+    def test_a_click_too_short_for_jaws_is_told_and_a_clip_is_told_once(self):
+        window = self.opened("bleed", "--spacing", "12mm")
+
+        def hold(seconds):
+            self.screen.do("mousedown", 1)
+            time.sleep(seconds)
+            self.screen.do("mouseup", 1)
+
+        self.screen.key("6")
+        window.wait("held Clip applier", 20)
+        self.screen.move(500, 420)
+        time.sleep(1)
+        hold(2)
+        self.assertRegex(window.wait("told", 10), "(A|No) clip was placed")
+        time.sleep(2)
+        window.drain()
+        self.assertEqual([line for line in window.said if "jaws did not close" in line], [])
+        hold(0.12)
+        self.assertIn("The jaws did not close", window.wait("told", 10))
 
     def test_the_lamp_is_moved_in_the_view_menu(self):
         window = self.opened("press", "--spacing", "12mm")

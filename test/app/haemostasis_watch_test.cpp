@@ -59,10 +59,17 @@ TEST_CASE("a clip names the vessel whose bleeding it has reduced most, though so
 
 TEST_CASE("a click that is too short for the jaws is told") {
   Hand hand("clip_applier");
-  for (const double squeeze : {0.0, 0.3, 0.6})
-    CHECK(hand.said(stateAt(squeeze, squeeze, {})).empty());
-  CHECK(hand.said(stateAt(0.7, 0.2, {})).find("The jaws did not close") == 0);
-  CHECK(hand.said(stateAt(0.8, 0, {})).empty());
+  // As an instrument is taken its jaws open.
+  double time = 0;
+  const auto said = [&](double squeeze) { return hand.said(stateAt(time += 0.1, squeeze, {})); };
+  for (const double squeeze : {1.0, 0.5, 0.2, 0.0, 0.0}) CHECK(said(squeeze).empty());
+  for (const double squeeze : {0.1, 0.2, 0.1}) CHECK(said(squeeze).empty());
+  CHECK(said(0).find("The jaws did not close") == 0);
+  CHECK(said(0).empty());
+  // They close, and open again.
+  for (const double squeeze : {0.3, 0.7}) CHECK(said(squeeze).empty());
+  CHECK(said(1).find("No clip was placed") == 0);
+  for (const double squeeze : {1.0, 0.6, 0.2, 0.0, 0.0}) CHECK(said(squeeze).empty());
 }
 
 TEST_CASE("a clip says what it has closed when the flow is steady, or that it found nothing") {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kStopped = 0.2;        // of the flow before: an end that bleeds less is closed
 constexpr double kNothing = 1e-7 / 60;  // m^3/s, 0.1 ml/min: a smaller change is none
-constexpr double kBegun = 0.15;         // squeeze of jaws that somebody has begun to close
+constexpr double kBegun = 0.05;         // squeeze of jaws that somebody has begun to close
 constexpr double kSteady = 0.3;         // s after which the flow past a new clip is steady
 constexpr double kReached = 3 * kBipolarTakes;  // m: the heat of forceps reaches no farther
 
@@ -76,13 +76,17 @@ QString HaemostasisWatch::follow(const LiveState& state, int held, const ToolMod
   if (known && clipper) told = followClip(state, shuts, nameOf);
   if (known && forceps_ && closed)
     told = followForceps(state, shuts, state.poses[tool] * model->tip, nameOf);
-  // A click may be too short for the jaws to close.
-  if (!sameTool || closed || closed_) most_ = 0;
-  if (known && sameTool && !closed && !closed_ && (clipper || forceps_)) {
-    most_ = std::max(most_, state.squeeze[tool]);
-    if (most_ > kBegun && state.squeeze[tool] < 0.5 * most_) {
-      most_ = 0;
-      told = Words::tr("The jaws did not close: hold the button down for half a second");
+  // A click may be too short for the jaws to close. Jaws that open after they were closed, or since
+  // the instrument was taken, are no such click.
+  if (!sameTool || !known || closed) begun_ = {};
+  if (known && (clipper || forceps_) && !closed) {
+    const double squeeze = state.squeeze[tool];
+    if (squeeze < kBegun) {
+      if (begun_ && *begun_ >= kBegun)
+        told = Words::tr("The jaws did not close: hold the button down for half a second");
+      begun_ = 0;
+    } else if (begun_) {
+      begun_ = squeeze;
     }
   }
   closed_ = closed;

@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,8 @@ class HaemostasisWatch {
   int held_ = -1;
   bool forceps_ = false;  // the tool in hand is bipolar forceps
   bool closed_ = false;   // its jaws were closed at the last call
-  double most_ = 0;       // largest squeeze of its jaws since they were open, if they never closed
+  // Last squeeze of its jaws since they were open; empty if they were closed since then.
+  std::optional<double> begun_;
   // Number of clips on vessels, the bleeding ends, and the simulated time, s, when the jaws were
   // last open.
   int clipsBefore_ = 0;

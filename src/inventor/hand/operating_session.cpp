@@ -319,7 +319,9 @@ void OperatingSession::follow(const ViewMotion& motion) {
 
 void OperatingSession::look(RoomView view, double aspect) {
   constexpr double kShare = 0.5, kSmall = 0.08;  // of the picture; m: an organ that is seen whole
-  if (view != RoomView::Surgeon)
+  if (view != RoomView::Surgeon && view == roomView(scenario_.view))
+    room().frame(view, scenario_.closeUp.value_or(organBox_), aspect);
+  else if (view != RoomView::Surgeon)
     room().look(view, organBox_, aspect);
   else if (scenario_.mode == OperationMode::Thesis || fieldArea_ <= 0)
     room().frame(view, allThereIs(towardsCamera(view)), aspect);
@@ -392,8 +394,7 @@ SbVec2s OperatingSession::pixelOf(const Vec3& point, const SbViewportRegion& vie
 }
 
 Vec3 OperatingSession::middleOfTool(int tool) const {
-  const Pose pose = tools_.pose(tool);
-  return pose * bounds(toolModels_[std::size_t(tool)].mesh).centre();
+  return tools_.pose(tool) * bounds(toolModels_[std::size_t(tool)].mesh).centre();
 }
 
 }  // namespace resect
