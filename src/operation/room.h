@@ -33,15 +33,19 @@ inline constexpr double kTableHalfWidth = 0.45, kTableHalfDepth = 0.30, kFloor =
 // too thin to stop cells. The mesh has no floor, since the box stands on the table.
 TriangleMesh toolBoxWalls();
 
+// Pose of the tray (data/room/tray.iv) on the other side of the organ, for tools 4 to 11. Its rim
+// is low and stops no tissue. The origin of the tray's frame is the centre of its bottom.
+inline constexpr int kToolBoxPlaces = 4;
+inline Pose trayPose() { return {Vec3(-0.3375, 0.0, -0.08), Eigen::Quaterniond::Identity()}; }
+
 // Pose in which tool number i, from 0, lies when it is not in hand. The tools lie on their sides,
-// one beside the other, with their handles towards the surgeon. Tools 0 to 3 lie in the tool box,
-// which has four places; further tools lie on the table, on the other side of the organ, four in a
-// row.
+// one beside the other, with their handles towards the surgeon. Tools 0 to 3 lie in the tool box;
+// further tools lie in the tray, four in a row.
 inline Pose toolBoxPlace(int i) {
   const Eigen::Quaterniond onItsSide = rotationAbout(Vec3::UnitZ(), std::numbers::pi / 2);
   constexpr double kPlaces[] = {-0.085, -0.01, 0.065, 0.104};  // x, m
-  if (i < 4) return {toolBoxPose() * Vec3(kPlaces[i], 0.008, -0.085), onItsSide};
-  const int row = (i - 4) / 4, column = (i - 4) % 4;
+  if (i < kToolBoxPlaces) return {toolBoxPose() * Vec3(kPlaces[i], 0.008, -0.085), onItsSide};
+  const int row = (i - kToolBoxPlaces) / 4, column = (i - kToolBoxPlaces) % 4;
   return {Vec3(-0.27 - 0.045 * column, 0.008, -0.065 - 0.21 * row), onItsSide};
 }
 

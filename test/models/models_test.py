@@ -35,8 +35,9 @@ SHELLS = {
     "forceps": 3,
     "table": 1,
     "toolbox": 2,
+    "tray": 2,
 }
-ROOM = ("table", "toolbox")
+ROOM = ("table", "toolbox", "tray")
 MILLIMETRE = 0.001
 
 

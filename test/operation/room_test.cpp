@@ -14,7 +14,7 @@ TEST_CASE("the walls of the tray are one closed frame round the tools") {
   CHECK(health.closed);
   CHECK(health.oriented);
   CHECK_FALSE(health.insideOut);
-  for (int tool = 0; tool < 4; ++tool) {
+  for (int tool = 0; tool < kToolBoxPlaces; ++tool) {
     const Vec3 place = toolBoxPose().inverse() * toolBoxPlace(tool).position;
     CHECK(std::abs(place.x()) < 0.15 - 0.012);
     CHECK(std::abs(place.z()) < 0.11 - 0.012);

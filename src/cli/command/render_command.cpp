@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 #include <memory>
@@ -110,9 +111,10 @@ void render(const RenderOptions& options) {
   }
   if (!options.noRoom) {
     room.setTable(readRoomModel("table"));
-    room.setToolbox(readRoomModel("toolbox"), toolBoxPose());
+    const std::array tools = {"scalpel", "hook", "baton"};
+    room.setToolbox(toolPlaces(tools.size()));
     int place = 0;
-    for (const char* tool : {"scalpel", "hook", "baton"})
+    for (const char* tool : tools)
       room.setToolPose(room.addTool(loadTool(tool, &readModel)), toolBoxPlace(place++));
   }
   const std::size_t triangles = all.triangles.size();

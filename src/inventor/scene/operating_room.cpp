@@ -140,7 +140,6 @@ OperatingRoom::OperatingRoom() {
 
   table_ = uncachedSeparator();
   toolbox_ = uncachedSeparator();
-  toolbox_->addChild(toolboxPose_ = new SoTransform);
   tools_ = uncachedSeparator();
   toolShadows_ = uncachedSeparator();
   tissue_ = uncachedSeparator();
@@ -210,9 +209,8 @@ void OperatingRoom::setTable(SoNode* model) {
   if (model) table_->addChild(model);
 }
 
-void OperatingRoom::setToolbox(SoNode* model, const Pose& pose) {
-  setPose(toolboxPose_, pose);
-  while (toolbox_->getNumChildren() > 1) toolbox_->removeChild(1);
+void OperatingRoom::setToolbox(SoNode* model) {
+  toolbox_->removeAllChildren();
   if (model) toolbox_->addChild(model);
 }
 
@@ -221,10 +219,8 @@ SoNode* OperatingRoom::tableModel() const {
 }
 
 SoNode* OperatingRoom::toolboxModel() const {
-  return toolbox_->getNumChildren() > 1 ? toolbox_->getChild(1) : nullptr;
+  return toolbox_->getNumChildren() > 0 ? toolbox_->getChild(0) : nullptr;
 }
-
-Pose OperatingRoom::toolboxPose() const { return getPose(*toolboxPose_); }
 
 void OperatingRoom::changedIn(const Aabb& box) {
   followTools();

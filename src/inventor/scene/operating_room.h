@@ -3,7 +3,7 @@
 //   root Separator
 //     camera, lamps, the lamp at the eye, SoShadowMaps
 //     Separator { liver, SoTransform, Separator { colour, SoShadeOnce { SoOrganShape } } ... }
-//     Separator { steel, SoTransform, toolbox }
+//     Separator { steel, tool box and tray }
 //     Separator { Separator { SoTransform, SoSwitch { blood, steel, tool } } ... }
 //     Separator { strand, bare vessels }
 //     Separator { steel, clips }
@@ -97,7 +97,7 @@ class OperatingRoom {
   // The next three functions replace the table, the tool box or the operative field by `model`. If
   // `model` is null, they only remove the table, the tool box or the field.
   void setTable(SoNode* model);
-  void setToolbox(SoNode* model, const Pose& pose = {});
+  void setToolbox(SoNode* model);
 
   // model: the operative field (data/room/field.iv). It is placed round the organs, and scaled to
   // their size. organs: box of the organs; world, m.
@@ -152,7 +152,6 @@ class OperatingRoom {
   // there is no model.
   SoNode* tableModel() const;
   SoNode* toolboxModel() const;
-  Pose toolboxPose() const;
   int toolCount() const;
   SoNode* toolModel(int tool) const;
   const SoSpotLight* lamp(int which) const { return lamps_[which]; }  // which: 0 or 1
@@ -221,7 +220,6 @@ class OperatingRoom {
   SoBloodPool* pool_;
   SoCoordinate3* drops_;
   SoSeparator* toolbox_;
-  SoTransform* toolboxPose_;
   SoSeparator* tools_;
   // For each tool: a transform and the tool's model. These nodes do not include manipulators, since
   // manipulators cast no shadow.

@@ -3,6 +3,7 @@
 #include <Inventor/SoDB.h>
 #include <Inventor/SoInput.h>
 #include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoTransform.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -19,8 +20,8 @@
 namespace resect {
 
 SoNode* readRoomModel(const std::string& name) {
-  require(name == "table" || name == "toolbox" || name == "field",
-          "there is no model \"{}\" of the room; use table, toolbox or field", name);
+  require(name == "table" || name == "toolbox" || name == "tray" || name == "field",
+          "there is no model \"{}\" of the room; use table, toolbox, tray or field", name);
   initInventor();
   const std::filesystem::path path = dataFolder() / "room" / (name + ".iv");
   SoInput input;
@@ -28,6 +29,21 @@ SoNode* readRoomModel(const std::string& name) {
   if (!root)
     throw error("cannot read {} as an Inventor file; install Resect's data again", path.string());
   return root;
+}
+
+SoNode* toolPlaces(std::size_t tools) {
+  auto* places = new SoSeparator;
+  const auto put = [&](const std::string& model, const Pose& pose) {
+    auto* placed = new SoSeparator;
+    auto* transform = new SoTransform;
+    setPose(transform, pose);
+    placed->addChild(transform);
+    placed->addChild(readRoomModel(model));
+    places->addChild(placed);
+  };
+  put("toolbox", toolBoxPose());
+  if (tools > kToolBoxPlaces) put("tray", trayPose());
+  return places;
 }
 
 Vec3f organColour(const OrganSource& organ) {
@@ -65,7 +81,7 @@ OperationView::OperationView(const Scenario& scenario, Simulation& simulation, d
 
 void OperationView::showField(bool field) {
   room_.setTable(table_ && !field ? readRoomModel("table") : nullptr);
-  room_.setToolbox(toolBox_ && !field ? readRoomModel("toolbox") : nullptr, toolBoxPose());
+  room_.setToolbox(toolBox_ && !field ? toolPlaces(rests_.size()) : nullptr);
   room_.setField(field ? readRoomModel("field") : nullptr, organs_);
   for (std::size_t i = 0; i < rests_.size(); ++i)
     room_.hideAtRest(int(i), field ? std::optional(rests_[i]) : std::nullopt);

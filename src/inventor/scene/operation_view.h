@@ -15,10 +15,14 @@ class SoNode;
 
 namespace resect {
 
-// Reads the model "table", "toolbox" or "field" from Resect's own data folder. Returns the model as
+// Reads the model "table", "toolbox", "tray" or "field" from Resect's own data folder. Returns the model as
 // a scene graph with its materials. In this process Coin reads no other files: readModel()
 // (inventor/reading/model_file.h) reads all other model files in a child process.
 SoNode* readRoomModel(const std::string& name);
+
+// Where that many tools lie while they are not in hand (toolBoxPlace()): the tool box, and for more
+// than four tools a tray on the other side of the organ. For OperatingRoom::setToolbox().
+SoNode* toolPlaces(std::size_t tools);
 
 // Screen colour (sRGB) of an organ before any cut.
 Vec3f organColour(const OrganSource& organ);

@@ -86,7 +86,7 @@ void OperatingRoom::look(RoomView view, const Aabb& box, double aspect) {
   // Only wide pictures have room for the tool box beside the organ, and only of an organ so large
   // that the tool box, which stands where it stands, is in sight.
   constexpr double kLarge = 0.08;  // m
-  const bool beside = toolbox_->getNumChildren() > 1 && radius > kLarge;
+  const bool beside = toolboxModel() && radius > kLarge;
   const double aside = beside ? std::clamp(aspect - 1.0, 0.0, 0.8) : 0.0;
   // Fits the sphere round the box; Inventor's angle applies to the narrower side.
   place(view, box.centre() + aside * radius * from.aside,

@@ -94,7 +94,7 @@ void writeSceneFile(const std::filesystem::path& path, const OperatingRoom& room
   root->addChild(camera);
   for (int i : {0, 1}) root->addChild(room.lamp(i)->copy());
   if (room.tableModel()) root->addChild(room.tableModel());
-  if (room.toolboxModel()) root->addChild(placed(room.toolboxPose(), room.toolboxModel()));
+  if (room.toolboxModel()) root->addChild(room.toolboxModel());
   for (int i = 0; i < room.toolCount(); ++i) {
     SoSeparator* tool = placed(getPose(*room.toolTransform(i)), room.toolModel(i));
     tool->getChild(0)->setName(toolNode(i).c_str());
