@@ -20,6 +20,7 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 
@@ -35,9 +36,11 @@
 #include "app/widgets/theme.h"
 #include "app/widgets/timeline_panel.h"
 #include "base/error.h"
+#include "blood/flow/circulation.h"
 #include "formats/png_file.h"
 #include "inventor/reading/model_file.h"
 #include "inventor/scene/scene_file.h"
+#include "operation/blood/dangers.h"
 #include "record/session_recordings.h"
 
 namespace resect {
@@ -129,10 +132,9 @@ MainWindow::~MainWindow() {
   viewer_->ticked = {};
 }
 
-// In the line below the picture. In each tick, since a click may be short.
+// In each tick, since a click may be short.
 void MainWindow::sayWhatIsClosed(const LiveState& state) {
   const int held = session_->tools().held();
-  const ToolModel* model = held < 0 ? nullptr : &session_->toolModels()[std::size_t(held)];
   const auto nameOf = [this](const BleedingEnd& end) {
     std::string name;
     session_->operation().look([&](const Simulation& s) {
@@ -140,10 +142,29 @@ void MainWindow::sayWhatIsClosed(const LiveState& state) {
     });
     return name;
   };
-  const QString told = haemostasis_.follow(state, held, model, nameOf);
-  if (told.isEmpty()) return;
-  statusBar()->showMessage(told, 8000);
-  if (options_.reports) say("told {}", told.toStdString());
+  for (HaemostasisWatch& watch : haemostasis_) {
+    const auto worker = session_->playing()    ? HaemostasisWatch::Worker::Scenario
+                        : held == watch.tool() ? HaemostasisWatch::Worker::Hand
+                                               : HaemostasisWatch::Worker::Nobody;
+    tell(watch.follow(state, worker, nameOf));
+  }
+}
+
+void MainWindow::sayHowThePatientIs(const LiveState& state) {
+  const int grade = haemorrhageClass(state.bled);
+  if (grade > haemorrhage_ && grade > 1)
+    tell(Words::tr("The patient has lost %1 ml, %2 % of the blood: haemorrhage of class %3 of 4")
+             .arg(1e6 * state.bled, 0, 'f', 0)
+             .arg(std::lround(100 * state.bled / Circulation{}.volume))
+             .arg(grade));
+  haemorrhage_ = grade;
+}
+
+// In the line below the picture.
+void MainWindow::tell(const QString& sentence) {
+  if (sentence.isEmpty()) return;
+  statusBar()->showMessage(sentence, 8000);
+  if (options_.reports) say("told {}", sentence.toStdString());
 }
 
 // The time of the operation stands still behind the cards of the exercises, until an exercise's
@@ -209,6 +230,7 @@ void MainWindow::tick() {
   if (options_.reports) reportMoment();
   if (options_.reports) reportPace();
   sayWhatIsClosed(state);
+  sayHowThePatientIs(state);
   if (now - panelsShown_ < kPanelInterval) return;
   panelsShown_ = now;
   followPanels(state, now);

@@ -96,6 +96,8 @@ class MainWindow : public QMainWindow {
   QString nextStep() const;
   void keepTime();
   void sayWhatIsClosed(const LiveState& state);
+  void sayHowThePatientIs(const LiveState& state);
+  void tell(const QString& sentence);
   void followPanels(const LiveState& state, qint64 now);
   bool begin(OrganLoader::Result result);  // false: cannot be shown; the user was told
   std::shared_ptr<Recorder> record(const OrganLoader::Result& result);
@@ -222,8 +224,9 @@ class MainWindow : public QMainWindow {
   std::shared_ptr<LiveAttempt> attempt_;  // attempt at the last exercise; null: none
   bool attemptEnded_ = false;
   bool waitsForHand_ = false;  // no instrument was taken yet, so the time has not started
-  HaemostasisWatch haemostasis_;
-  bool menuOpen_ = false;  // a menu was open at the last tick
+  std::vector<HaemostasisWatch> haemostasis_;  // of each instrument that closes vessels
+  int haemorrhage_ = 1;                        // class of haemorrhage at the last tick
+  bool menuOpen_ = false;                      // a menu was open at the last tick
   // asTest_: the present exercise is a test. startedAsTest_: the exercise that is being loaded is a
   // test.
   bool asTest_ = false, startedAsTest_ = false;

@@ -192,7 +192,10 @@ bool MainWindow::begin(OrganLoader::Result result) {
   overlay_->guided = session_->tools().usual() == ToolHandling::Hold::Guided;
   overlay_->update();
   heldSaid_ = -2;
-  haemostasis_ = {};
+  haemostasis_.clear();
+  for (std::size_t i = 0; i < session_->toolModels().size(); ++i)
+    if (const ToolModel& tool = session_->toolModels()[i]; HaemostasisWatch::watches(tool))
+      haemostasis_.emplace_back(int(i), tool);
   leftSaid_.assign(session_->toolModels().size(), 0);
   removedSaid_ = 0;
   uploadedSaid_ = 0;

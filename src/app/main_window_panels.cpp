@@ -250,11 +250,16 @@ QString MainWindow::nextStep() const {
   if (session_->showing() && !timeline_->atEnd())
     return Words::tr("This is an earlier moment: work on from here, or press End to go back.");
   if (session_->playedOut() && tools.how() == ToolHandling::Hold::None)
-    return Words::tr(
-        "The scenario has ended. Take an instrument to go on, or drag the mark in the timeline to "
-        "look back.");
+    return (session_->state().bled > 0
+                ? Words::tr("The scenario has ended: %1 ml of blood lost, %2 ml/min bleed now. ")
+                      .arg(1e6 * session_->state().bled, 0, 'f', 0)
+                      .arg(60e6 * session_->state().bleedingRate, 0, 'f', 0)
+                : Words::tr("The scenario has ended. ")) +
+           Words::tr("Take an instrument to go on, or drag the mark in the timeline to look back.");
   const QString name = heldName();
-  const QString howLongClosed = haemostasis_.howLongClosed(session_->state());
+  QString howLongClosed;
+  for (const HaemostasisWatch& watch : haemostasis_)
+    if (watch.tool() == tools.held()) howLongClosed = watch.howLongClosed(session_->state());
   const QString depth =
       tools.how() == ToolHandling::Hold::Guided
           ? tools.surfaceHand() && tools.surfaceHand()->target

@@ -22,15 +22,21 @@ LiveState stateAt(double time, double squeeze, std::vector<BleedingEnd> ends, in
   return state;
 }
 
-// Somebody with an instrument of this kind in hand.
+ToolModel modelOf(const char* kind) {
+  ToolModel model;
+  model.kind = kind;
+  return model;
+}
+
+// Somebody with an instrument of this kind in hand; or a scenario that moves it.
 struct Hand {
   HaemostasisWatch watch;
-  ToolModel model;
+  HaemostasisWatch::Worker worker = HaemostasisWatch::Worker::Hand;
 
-  explicit Hand(const char* kind) { model.kind = kind; }
+  explicit Hand(const char* kind) : watch(0, modelOf(kind)) {}
   std::string said(const LiveState& state) {
     const auto name = [](const BleedingEnd&) { return std::string("left hepatic vein"); };
-    return watch.follow(state, 0, &model, name).toStdString();
+    return watch.follow(state, worker, name).toStdString();
   }
 };
 
@@ -82,8 +88,21 @@ TEST_CASE("a clip says what it has closed when the flow is steady, or that it fo
         "A clip was placed: the left hepatic vein of 3.0 mm bled 60 ml/min");
   CHECK(hand.said(stateAt(1, 0, {}, 1)).empty());
   CHECK(hand.said(stateAt(1.1, 1, {}, 1)).find("No clip was placed") == 0);
-  // Another instrument says nothing.
-  hand.model.kind = "hook";
-  CHECK(hand.said(stateAt(2, 0, {vein(1e-6)})).empty());
-  CHECK(hand.said(stateAt(2.1, 1, {})).empty());
+  CHECK_FALSE(HaemostasisWatch::watches(modelOf("hook")));
+}
+
+TEST_CASE("clips of a scenario that plays are told, but not what a hand could do better") {
+  Hand hand("clip_applier");
+  hand.worker = HaemostasisWatch::Worker::Scenario;
+  CHECK(hand.said(stateAt(0, 0, {vein(1e-6)})).empty());
+  CHECK(hand.said(stateAt(0.1, 1, {vein(1e-6)}, 1)).empty());
+  CHECK(hand.said(stateAt(0.5, 0, {}, 1)).find("A clip was placed: the left hepatic vein") == 0);
+  CHECK(hand.said(stateAt(0.6, 0.5, {}, 1)).empty());
+  CHECK(hand.said(stateAt(0.7, 0, {}, 1)).empty());
+  CHECK(hand.said(stateAt(0.8, 1, {}, 1)).empty());
+  // Put back, with closed jaws.
+  hand.worker = HaemostasisWatch::Worker::Nobody;
+  CHECK(hand.said(stateAt(0.9, 1, {vein(1e-6)}, 1)).empty());
+  hand.worker = HaemostasisWatch::Worker::Hand;
+  CHECK(hand.said(stateAt(1, 1, {vein(1e-6)}, 1)).empty());
 }

@@ -60,34 +60,36 @@ QString whatBled(const BleedingEnd& end, double left, const std::string& name) {
 
 }  // namespace
 
-QString HaemostasisWatch::follow(const LiveState& state, int held, const ToolModel* model,
-                                 const NameOf& nameOf) {
-  const bool clipper = model && model->kind == "clip_applier";
-  forceps_ = model && model->kind == "bipolar";
-  const auto tool = std::size_t(held);
-  const bool known = model && tool < state.squeeze.size() && tool < state.poses.size();
-  const bool closed = known && state.squeeze[tool] >= (forceps_ ? kBipolarCloses : kClipCloses);
-  const bool sameTool = held == held_;
-  const bool shuts = closed && !closed_ && sameTool;
-  held_ = held;
-  // Another instrument was taken, or an earlier moment is shown.
-  if (!clipper || state.time < placed_) placed_ = -1;
+bool HaemostasisWatch::watches(const ToolModel& model) {
+  return model.kind == "clip_applier" || model.kind == "bipolar";
+}
+
+HaemostasisWatch::HaemostasisWatch(int tool, const ToolModel& model)
+    : tool_(tool), forceps_(model.kind == "bipolar"), tip_(model.tip) {}
+
+QString HaemostasisWatch::follow(const LiveState& state, Worker worker, const NameOf& nameOf) {
+  const auto tool = std::size_t(tool_);
+  const bool known =
+      worker != Worker::Nobody && tool < state.squeeze.size() && tool < state.poses.size();
+  const double squeeze = known ? state.squeeze[tool] : 0;
+  const bool closed = known && squeeze >= (forceps_ ? kBipolarCloses : kClipCloses);
+  const bool same = worker == worker_;
+  const bool shuts = closed && !closed_ && same;
+  worker_ = worker;
+  if (!known || state.time < placed_) placed_ = -1;  // put back, or an earlier moment is shown
   QString told;
-  if (known && clipper) told = followClip(state, shuts, nameOf);
-  if (known && forceps_ && closed)
-    told = followForceps(state, shuts, state.poses[tool] * model->tip, nameOf);
+  if (known && !forceps_) told = followClip(state, shuts, nameOf);
+  if (closed && forceps_) told = followForceps(state, shuts, state.poses[tool] * tip_, nameOf);
   // A click may be too short for the jaws to close. Jaws that open after they were closed, or since
   // the instrument was taken, are no such click.
-  if (!sameTool || !known || closed) begun_ = {};
-  if (known && (clipper || forceps_) && !closed) {
-    const double squeeze = state.squeeze[tool];
-    if (squeeze < kBegun) {
-      if (begun_ && *begun_ >= kBegun)
-        told = Words::tr("The jaws did not close: hold the button down for half a second");
-      begun_ = 0;
-    } else if (begun_) {
-      begun_ = squeeze;
-    }
+  if (worker != Worker::Hand || !same || closed) {
+    begun_ = {};
+  } else if (squeeze < kBegun) {
+    if (begun_ && *begun_ >= kBegun)
+      told = Words::tr("The jaws did not close: hold the button down for half a second");
+    begun_ = 0;
+  } else if (begun_) {
+    begun_ = squeeze;
   }
   closed_ = closed;
   if (!closed) opened_ = state.time;
@@ -99,7 +101,7 @@ QString HaemostasisWatch::follow(const LiveState& state, int held, const ToolMod
 QString HaemostasisWatch::followClip(const LiveState& state, bool shuts, const NameOf& nameOf) {
   if (shuts && state.clips > clipsBefore_) {
     placed_ = state.time;
-  } else if (shuts) {
+  } else if (shuts && worker_ == Worker::Hand) {
     return Words::tr(
                "No clip was placed: there is no open vessel within %1 mm of the jaws; point at "
                "a yellow ring, or change the depth with the wheel")

@@ -1,4 +1,4 @@
-// Watches the clip applier or the bipolar forceps in hand, to tell the user what they have closed.
+// Watches a clip applier or bipolar forceps, to tell the user what they have closed.
 #pragma once
 
 #include <QString>
@@ -14,23 +14,32 @@ namespace resect {
 
 class HaemostasisWatch {
  public:
+  // Who works with an instrument.
+  enum class Worker { Nobody, Hand, Scenario };
   // Gives the name of a vessel, for people.
   using NameOf = std::function<std::string(const BleedingEnd&)>;
 
-  // To be called often. Returns what to say now; empty: nothing. held: number of the tool in hand;
-  // -1: none. model: its model; null: none.
-  QString follow(const LiveState& state, int held, const ToolModel* model, const NameOf& nameOf);
+  // Whether the tool closes vessels, so that it can be watched.
+  static bool watches(const ToolModel& model);
+  // tool: its number. model: a model for which watches() is true.
+  HaemostasisWatch(int tool, const ToolModel& model);
+
+  // To be called often. Returns what to say now; empty: nothing.
+  QString follow(const LiveState& state, Worker worker, const NameOf& nameOf);
   // How long bipolar forceps have been closed, in words; empty for other instruments.
   QString howLongClosed(const LiveState& state) const;
+  int tool() const { return tool_; }
 
  private:
   QString followClip(const LiveState& state, bool shuts, const NameOf& nameOf);
   QString followForceps(const LiveState& state, bool shuts, const Vec3& tip, const NameOf& nameOf);
 
-  int held_ = -1;
-  bool forceps_ = false;  // the tool in hand is bipolar forceps
-  bool closed_ = false;   // its jaws were closed at the last call
-  // Last squeeze of its jaws since they were open; empty if they were closed since then.
+  int tool_;
+  bool forceps_;                    // bipolar forceps; else a clip applier
+  Vec3 tip_;                        // in the tool's frame, m
+  Worker worker_ = Worker::Nobody;  // at the last call
+  bool closed_ = false;             // the jaws were closed at the last call
+  // Last squeeze of the jaws since they were open; empty if they were closed since then.
   std::optional<double> begun_;
   // Number of clips on vessels, the bleeding ends, and the simulated time, s, when the jaws were
   // last open.

@@ -3414,10 +3414,6 @@
         <translation>Seit Beginn der Operation</translation>
     </message>
     <message>
-        <source>All blood that has left the vessels</source>
-        <translation>Alles Blut, das die Gefäße verlassen hat</translation>
-    </message>
-    <message>
         <source>Bleeding</source>
         <translation>Blutung</translation>
     </message>
@@ -3834,10 +3830,6 @@
         <translation>Clips auf Gefäßen</translation>
     </message>
     <message>
-        <source>The scenario has ended. Take an instrument to go on, or drag the mark in the timeline to look back.</source>
-        <translation>Das Szenario ist zu Ende. Nehmen Sie ein Instrument, um weiterzumachen, oder ziehen Sie die Marke in der Zeitleiste, um zurückzuschauen.</translation>
-    </message>
-    <message>
         <source>bled %1 ml/min, and %2 now</source>
         <translation>blutete mit %1 ml/min, jetzt mit %2</translation>
     </message>
@@ -3848,6 +3840,30 @@
     <message>
         <source>Take an instrument: press its number, or click it in the list. P shows how the scenario does it, F1 all controls.</source>
         <translation>Nehmen Sie ein Instrument: seine Nummer drücken oder es in der Liste anklicken. P zeigt, wie das Szenario es macht, F1 alle Bedienungen.</translation>
+    </message>
+    <message>
+        <source>The patient has lost %1 ml, %2 % of the blood: haemorrhage of class %3 of 4</source>
+        <translation>Der Patient hat %1 ml verloren, %2 % des Blutes: Blutverlust der Klasse %3 von 4</translation>
+    </message>
+    <message>
+        <source>The scenario has ended: %1 ml of blood lost, %2 ml/min bleed now. </source>
+        <translation>Das Szenario ist zu Ende: %1 ml Blut verloren, %2 ml/min bluten jetzt. </translation>
+    </message>
+    <message>
+        <source>The scenario has ended. </source>
+        <translation>Das Szenario ist zu Ende. </translation>
+    </message>
+    <message>
+        <source>Take an instrument to go on, or drag the mark in the timeline to look back.</source>
+        <translation>Nehmen Sie ein Instrument, um weiterzumachen, oder ziehen Sie die Marke in der Zeitleiste, um zurückzuschauen.</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %)</source>
+        <translation>%1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>All blood that has left the vessels, and its share of all blood of the patient</source>
+        <translation>Alles Blut, das die Gefäße verlassen hat, und sein Anteil am Blut des Patienten</translation>
     </message>
 </context>
 </TS>

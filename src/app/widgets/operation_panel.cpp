@@ -8,6 +8,7 @@
 #include "app/language/words.h"
 #include "app/say.h"
 #include "app/widgets/timeline_panel.h"
+#include "blood/flow/circulation.h"
 
 namespace resect {
 namespace {
@@ -24,6 +25,11 @@ QString narrowestMargin(const Ledger& ledger) {
         nearest = &label;
   if (!nearest) return {};
   return QString("%1 mm, %2").arg(*nearest->margin * 1e3, 0, 'f', 1).arg(translated(nearest->name));
+}
+
+QString bloodText(double bled) {
+  const long share = std::lround(100 * bled / Circulation{}.volume);
+  return share < 1 ? millilitres(bled) : Words::tr("%1 (%2 %)").arg(millilitres(bled)).arg(share);
 }
 
 // The VIBe grade in words: its number says nothing to somebody who does not know the scale.
@@ -55,7 +61,9 @@ OperationPanel::OperationPanel(QWidget* parent)
   bold.setBold(true);
   title_->setFont(bold);
   time_ = addRow(Words::tr("Time"), Words::tr("Since the operation began"));
-  blood_ = addRow(Words::tr("Blood lost"), Words::tr("All blood that has left the vessels"));
+  blood_ = addRow(
+      Words::tr("Blood lost"),
+      Words::tr("All blood that has left the vessels, and its share of all blood of the patient"));
   bleeding_ = addRow(Words::tr("Bleeding"), Words::tr("Blood that leaves the vessels at present"));
   grade_ = addRow(Words::tr("Severity"),
                   Words::tr("Grade of the present bleeding on the VIBe scale, by its rate"));
@@ -103,7 +111,7 @@ void OperationPanel::begin(const Scenario& scenario, const QString& notes,
 
 void OperationPanel::follow(const LiveState& state, int held) {
   set(time_, clockText(double(state.moment.frame) / frameRate_));
-  set(blood_, state.bleeds ? millilitres(state.bled) : QString());
+  set(blood_, state.bleeds ? bloodText(state.bled) : QString());
   // At a moment that is shown, what oozes is not known, and so neither is the grade
   // (docs/window.md).
   set(bleeding_,

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 namespace resect {
 namespace {
 
@@ -10,6 +12,11 @@ constexpr int kGravest = 4;  // VIBe
 constexpr double kClassThree = 0.3, kClassFour = 0.4;
 
 }  // namespace
+
+int haemorrhageClass(double lost) {
+  const double share = lost / Circulation{}.volume;
+  return share > kClassFour ? 4 : share > kClassThree ? 3 : share > kBorneLoss ? 2 : 1;
+}
 
 std::vector<std::string> dangersOf(const BloodSummary& blood) {
   std::vector<std::string> sentences;
@@ -23,14 +30,12 @@ std::vector<std::string> dangersOf(const BloodSummary& blood) {
             ? fmt::format(", most of it from the {} of {:.1f} mm", most->name, 1e3 * most->diameter)
             : ""));
   }
-  const double bled = toCubicMetres(blood.ledger.bled), share = bled / Circulation{}.volume;
-  if (share > kBorneLoss)
+  const double bled = toCubicMetres(blood.ledger.bled);
+  constexpr std::array kRoman = {"I", "II", "III", "IV"};
+  if (const int grade = haemorrhageClass(bled); grade > 1)
     sentences.push_back(
         fmt::format("{:.0f} ml of blood are lost, {:.0f} % of all: haemorrhage of class {}",
-                    1e6 * bled, 100 * share,
-                    share > kClassFour    ? "IV"
-                    : share > kClassThree ? "III"
-                                          : "II"));
+                    1e6 * bled, 100 * bled / Circulation{}.volume, kRoman.at(grade - 1)));
   if (blood.air > kBorneAir)
     sentences.push_back(fmt::format(
         "open hepatic veins drew in {:.0f} ml of air; 200 to 300 ml kill", 1e6 * blood.air));
