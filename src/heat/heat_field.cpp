@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/elementary.h"
 #include "base/error.h"
@@ -18,7 +19,8 @@ constexpr double kChars = 150;              // C, and
 constexpr double kCharTime = 100;           // K s: above it until all is charred (estimate)
 constexpr double kWarm = 0.01;              // K: warmer spots warm those beside them
 constexpr double kUnchanged = 0.005;        // K and a share: below both a spot is forgotten
-constexpr double kLongestStep = 0.25;  // s; steps of h^2 / (6 k / rho c), 2.7 s, would be unstable
+constexpr double kShortestStep = 0.099;     // s
+constexpr double kLongestStep = 0.25;  // s; steps of h^2 / (8 k / rho c), 2.1 s, would be unstable
 
 constexpr double kBoltzmannOverPlanck = 2.0837e10;       // 1/(K s)
 constexpr double kEnthalpy = 2.768e5, kEntropy = 553.5;  // J/mol; J/(mol K): Jacques et al. 1991
@@ -169,23 +171,39 @@ void HeatField::spread(const std::function<bool(const Vec3&)>& isTissue) {
   insert();
 }
 
+// Calls visit(i, j) for each pair of spots of which j is one step farther than i along `axis`.
+template <typename Visit>
+void HeatField::visitPairs(const Vec3i& axis, Visit visit) const {
+  const std::int64_t stride = lattice_.index(axis) - lattice_.index(Vec3i::Zero());
+  std::size_t j = 0;  // runs along with i
+  for (std::size_t i = 0; i < spots_.size(); ++i) {
+    const std::int64_t wanted = spots_[i].index + stride;
+    while (j < spots_.size() && spots_[j].index < wanted) ++j;
+    if (j == spots_.size()) break;
+    if (spots_[j].index == wanted && lattice_.contains(lattice_.cell(spots_[i].index) + axis))
+      visit(i, j);
+  }
+}
+
+// By differences of the fourth order: along each axis, the second difference of T less a twelfth of
+// that difference's own second difference. The second difference alone is up to 8 % off where heat
+// arrives, and the error depends on the direction.
 void HeatField::conduct(double duration) {
   flux_.assign(spots_.size(), 0);
   const double conductance = kConductivity * kSpacing;  // between two spots, W/K
-  for (const Vec3i& step : forward()) {
-    const std::int64_t stride = lattice_.index(step) - lattice_.index(Vec3i::Zero());
-    std::size_t other = 0;  // runs along with i
-    for (std::size_t i = 0; i < spots_.size(); ++i) {
-      const std::int64_t wanted = spots_[i].index + stride;
-      while (other < spots_.size() && spots_[other].index < wanted) ++other;
-      if (other == spots_.size()) break;
-      if (spots_[other].index != wanted ||
-          !lattice_.contains(lattice_.cell(spots_[i].index) + step))
-        continue;
-      const double flow = conductance * (spots_[other].temperature - spots_[i].temperature);
+  for (const Vec3i& axis : forward()) {
+    bend_.assign(spots_.size(), 0);
+    visitPairs(axis, [&](std::size_t i, std::size_t j) {
+      const double difference = spots_[j].temperature - spots_[i].temperature;
+      bend_[i] += difference;
+      bend_[j] -= difference;
+    });
+    visitPairs(axis, [&](std::size_t i, std::size_t j) {
+      const double difference = spots_[j].temperature - spots_[i].temperature;
+      const double flow = conductance * (difference - (bend_[j] - bend_[i]) / 12);
       flux_[i] += flow;
-      flux_[other] -= flow;
-    }
+      flux_[j] -= flow;
+    });
   }
   const double volume = lattice_.cellVolume();
   for (std::size_t i = 0; i < spots_.size(); ++i) {
@@ -205,32 +223,38 @@ void HeatField::keepIn(const std::function<bool(const Vec3&)>& isTissue) {
 void HeatField::step(std::span<const HeatSource> sources, double duration,
                      const std::function<bool(const Vec3&)>& isTissue) {
   changed_ = false;
-  steam_ = 0;
+  if (spots_.empty()) waited_ = 0;
+  const int steps = std::max(1, int(std::ceil(duration / kLongestStep)));
+  for (int k = 0; k < steps && duration > 0; ++k) {
+    for (const HeatSource& source : sources) add(source, duration / steps, isTissue);
+    waited_ += duration / steps;
+    if (waited_ >= kShortestStep) advance(std::exchange(waited_, 0), isTissue);
+  }
+  if (sources.empty() && waited_ == 0) forget();  // what heats slowly would else be forgotten
+}
+
+void HeatField::advance(double duration, const std::function<bool(const Vec3&)>& isTissue) {
+  steamRate_ = 0;
   const bool warm = std::ranges::any_of(
       spots_, [](const HeatedSpot& s) { return s.temperature >= kBodyTemperature + kWarm; });
-  if (!warm && sources.empty()) return;
-  const int steps = std::max(1, int(std::ceil(duration / kLongestStep)));
-  const double dt = duration / steps;
-  for (int k = 0; k < steps && dt > 0; ++k) {
-    for (const HeatSource& source : sources) add(source, dt, isTissue);
-    spread(isTissue);
-    conduct(dt);
-    for (HeatedSpot& s : spots_) {
-      if (s.temperature > kBoils && s.water > 0) {
-        const double steam = std::min(s.water, (s.temperature - kBoils) * kHeatCapacity / kSteam);
-        s.water -= steam;
-        steam_ += steam * kWater * lattice_.cellVolume();
-        s.temperature -= steam * kSteam / kHeatCapacity;
-      }
-      if (s.temperature < kCoagulates) continue;
-      const double before = s.coagulated + s.charred;
-      s.coagulated += (1 - s.coagulated) * (1 - math::exp(-coagulationRate(s.temperature) * dt));
-      if (s.temperature > kChars)
-        s.charred = std::min(1.0, s.charred + (s.temperature - kChars) * dt / kCharTime);
-      changed_ |= s.coagulated + s.charred > before + 1e-4;
+  if (!warm) return;
+  spread(isTissue);
+  conduct(duration);
+  for (HeatedSpot& s : spots_) {
+    if (s.temperature > kBoils && s.water > 0) {
+      const double steam = std::min(s.water, (s.temperature - kBoils) * kHeatCapacity / kSteam);
+      s.water -= steam;
+      steamRate_ += steam * kWater * lattice_.cellVolume() / duration;
+      s.temperature -= steam * kSteam / kHeatCapacity;
     }
+    if (s.temperature < kCoagulates) continue;
+    const double before = s.coagulated + s.charred;
+    const double react = coagulationRate(s.temperature) * duration;
+    s.coagulated += (1 - s.coagulated) * (1 - math::exp(-react));
+    if (s.temperature > kChars)
+      s.charred = std::min(1.0, s.charred + (s.temperature - kChars) * duration / kCharTime);
+    changed_ |= s.coagulated + s.charred > before + 1e-4;
   }
-  if (sources.empty()) forget();  // what heats slowly would else be forgotten in each frame
 }
 
 // Drops spots that are cool and unchanged, unless they are beside a warm one.

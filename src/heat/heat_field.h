@@ -72,8 +72,10 @@ class HeatField {
   explicit HeatField(const Aabb& box);
 
   // Computes a frame. duration: duration of the frame, s. isTissue: says whether there is tissue at
-  // a point in rest space. If there is no source and no spot is warm, the function changes no spot.
-  // Cost: proportional to the number of spots.
+  // a point in rest space. The sources warm their tissue at once. Conduction, perfusion, boiling
+  // and coagulation are computed for several frames together, about ten times a second. If there is
+  // no source and no spot is warm, the function changes no spot. Cost: proportional to the number
+  // of spots.
   void step(std::span<const HeatSource> sources, double duration,
             const std::function<bool(const Vec3&)>& isTissue);
 
@@ -93,21 +95,21 @@ class HeatField {
   const Lattice& lattice() const { return lattice_; }
   std::span<const HeatedSpot> spots() const { return spots_; }  // in ascending order of `index`
   bool empty() const { return spots_.empty(); }
-  // Whether the coagulated or charred fraction of any spot has grown noticeably in the last step().
+  // Whether the coagulated or charred fraction of any spot grew noticeably in the last step().
   bool changed() const { return changed_; }
-  // Water that became steam in the last step(), kg.
-  double steam() const { return steam_; }
+  // Water that becomes steam, kg/s; a mean over the last tenth of a second or so.
+  double steamRate() const { return steamRate_; }
   // Energy of all spots together, J. It is the heat that they hold beyond 37 C, plus the latent
   // heat of the water that has become steam.
   double energy() const;
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v("spots", spots_);
+    v("spots", spots_), v("waited", waited_), v("steamRate", steamRate_);
   }
   template <class Visitor>
   void visitMade(Visitor& v) {
-    v.made(lattice_, changed_, steam_, added_, flux_);
+    v.made(lattice_, changed_, added_, flux_, bend_);
   }
   // For spots that were loaded from a saved state. Throws Error unless they are cells of the
   // lattice, in ascending order of `index`, with finite temperatures.
@@ -121,7 +123,10 @@ class HeatField {
   void visitCorners(const Vec3& place, Visit visit) const;
   void add(const HeatSource& source, double duration,
            const std::function<bool(const Vec3&)>& isTissue);
+  void advance(double duration, const std::function<bool(const Vec3&)>& isTissue);
   void spread(const std::function<bool(const Vec3&)>& isTissue);
+  template <typename Visit>
+  void visitPairs(const Vec3i& axis, Visit visit) const;
   void conduct(double duration);
   void insert();
   void forget();
@@ -129,9 +134,11 @@ class HeatField {
   std::vector<HeatedSpot> spots_;
   Lattice lattice_;
   bool changed_ = false;
-  double steam_ = 0;
+  double waited_ = 0;                // simulated time that is not yet computed, s
+  double steamRate_ = 0;             // kg/s
   std::vector<std::int64_t> added_;  // work space of step(): indices of cells
   std::vector<double> flux_;         // work space of step(): heat flow into each spot, W
+  std::vector<double> bend_;         // work space of step(): second difference at each spot, K
 };
 
 }  // namespace resect

@@ -18,8 +18,8 @@ void Simulation::heatTissue(const FrameInput& input, StepReport& report) {
         work_.heat.push_back({heat->place, heat->radius, heat->power});
     if (work_.heat.empty() && organs_[o].organ.heat.empty()) continue;
     heatOrgan(organs_[o], work_.heat, input.duration, !work_.removedCells[o].empty());
-    const double steam = organs_[o].organ.heat.steam();
-    if (!(steam > 0) || !(input.duration > 0)) continue;
+    const double steam = organs_[o].organ.heat.steamRate();
+    if (!(steam > 0)) continue;
     // The instruments share it by their power.
     double power = 0;
     for (const HeatSource& source : work_.heat) power += source.power;
@@ -27,7 +27,7 @@ void Simulation::heatTissue(const FrameInput& input, StepReport& report) {
       if (const auto* heat = std::get_if<Heat>(&edit.what); heat && edit.organ == std::int32_t(o))
         report.smoke.push_back({std::int32_t(o), edit.tool,
                                 presentPlace(organs_[o].organ, *organs_[o].tissue, heat->place),
-                                steam / input.duration * heat->power / power});
+                                steam * heat->power / power});
   }
 }
 

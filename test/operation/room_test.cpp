@@ -20,3 +20,17 @@ TEST_CASE("the walls of the tray are one closed frame round the tools") {
     CHECK(std::abs(place.z()) < 0.11 - 0.012);
   }
 }
+
+TEST_CASE("the fifth to twelfth tool lie in the tray, apart from each other") {
+  for (int tool = kToolBoxPlaces; tool < 12; ++tool) {
+    const Vec3 place = trayPose().inverse() * toolBoxPlace(tool).position;
+    constexpr double kLongest = 0.19;  // m: test/models/models_test.py
+    CHECK(std::abs(place.x()) < 0.102 - 0.02);
+    CHECK(place.z() > -0.2);
+    CHECK(place.z() + kLongest < 0.212 - 0.006);
+    for (int other = kToolBoxPlaces; other < tool; ++other) {
+      const Vec3 apart = toolBoxPlace(tool).position - toolBoxPlace(other).position;
+      CHECK((std::abs(apart.x()) > 0.04 || std::abs(apart.z()) > kLongest));
+    }
+  }
+}
