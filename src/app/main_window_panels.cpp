@@ -213,7 +213,8 @@ void MainWindow::showLaboratory(bool shown) {
   if (options_.reports) say("laboratory {}", shown ? "shown" : "hidden");
 }
 
-// Heights for what the panels show; the last one gets what is left. Called once they are laid out.
+// Heights for what the panels show. What is left goes to the first panel, whose rows grow, or to
+// the laboratory's. Called once they are laid out.
 void MainWindow::arrangePanels() {
   const int told = operation_->explains() ? 8 : 0;
   const int operation = 13 + told, organ = 19;  // lines, with all rows that may appear
@@ -229,7 +230,8 @@ void MainWindow::arrangePanels() {
   }
   int others = 3 * line;  // menu, status
   for (const int height : heights) others += height;
-  (wide ? heights.front() : heights.back()) += std::max(0, height() - others);
+  const bool laboratory = laboratory_->isChecked() && !wide;
+  (laboratory ? heights.back() : heights.front()) += std::max(0, height() - others);
   resizeDocks(panels, heights, Qt::Vertical);
   const int letters = wide ? kWideLetters : kPanelLetters;
   resizeDocks({panels.front()}, {letters * fontMetrics().averageCharWidth()}, Qt::Horizontal);

@@ -15,8 +15,8 @@ class SoNode;
 
 namespace resect {
 
-// Reads the model "table", "toolbox", "tray" or "field" from Resect's own data folder. Returns the model as
-// a scene graph with its materials. In this process Coin reads no other files: readModel()
+// Reads the model "table", "toolbox", "tray" or "field" from Resect's own data folder. Returns the
+// model as a scene graph with its materials. In this process Coin reads no other files: readModel()
 // (inventor/reading/model_file.h) reads all other model files in a child process.
 SoNode* readRoomModel(const std::string& name);
 
