@@ -3865,5 +3865,9 @@
         <source>All blood that has left the vessels, and its share of all blood of the patient</source>
         <translation>Alles Blut, das die Gefäße verlassen hat, und sein Anteil am Blut des Patienten</translation>
     </message>
+    <message>
+        <source>The debrief with its pictures is being written</source>
+        <translation>Die Auswertung mit ihren Bildern wird geschrieben</translation>
+    </message>
 </context>
 </TS>
