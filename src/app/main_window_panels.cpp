@@ -56,7 +56,9 @@ QScrollArea* scrolling(QWidget* content, int letters) {
 }
 
 // How an instrument that follows the surface works while the left button is down.
-QString useOf(const std::string& kind) {
+QString useOf(const std::string& kind, bool bleeds) {
+  if (!bleeds && (kind == "clip_applier" || kind == "inflow_clamp"))
+    return Words::tr("there is nothing for it to close, since this organ has no vessels");
   constexpr std::pair<const char*, const char*> kUses[] = {
       {"scalpel", QT_TRANSLATE_NOOP("window", "press the left button and draw: it cuts")},
       {"hook", QT_TRANSLATE_NOOP("window", "press the left button and draw: it catches and pulls")},
@@ -285,7 +287,10 @@ QString MainWindow::nextStep() const {
       if (tools.pressing())
         return Words::tr("%1 at work, %2; F leaves it there.").arg(name, depth + howLongClosed);
       return Words::tr("%1: %2, %3.")
-          .arg(name, useOf(session_->toolModels()[std::size_t(tools.held())].kind), depth);
+          .arg(name,
+               useOf(session_->toolModels()[std::size_t(tools.held())].kind,
+                     session_->state().bleeds),
+               depth);
     case ToolHandling::Hold::HandleBox:
       return Words::tr("%1 in a handle box: drag it to move it; middle click to turn it.")
           .arg(name);

@@ -3869,5 +3869,13 @@
         <source>The debrief with its pictures is being written</source>
         <translation>Die Auswertung mit ihren Bildern wird geschrieben</translation>
     </message>
+    <message>
+        <source>No clip was placed: this organ has no vessels</source>
+        <translation>Kein Clip wurde gesetzt: dieses Organ hat keine Gefäße</translation>
+    </message>
+    <message>
+        <source>there is nothing for it to close, since this organ has no vessels</source>
+        <translation>hier gibt es nichts zu verschließen, da dieses Organ keine Gefäße hat</translation>
+    </message>
 </context>
 </TS>
