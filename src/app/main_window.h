@@ -146,6 +146,7 @@ class MainWindow : public QMainWindow {
   void guideHand(const AttemptProgress& progress);
   void endExercise(const std::string& why, std::optional<double> end = {});
   void showResult(const AttemptResult& result);
+  std::optional<AttemptResult> resultNow(const AttemptScorer::Attempt& attempt);
   void replayFrom(double seconds);
   void nextExercise();
   void chooseAttemptsFolder();

@@ -22,7 +22,12 @@
 #include "io/output/atomic_file.h"
 #include "io/scenario/scenario_file.h"
 #include "io/scenario/task_writer.h"
+#include "record/course.h"
+#include "record/file/recording_file.h"
+#include "skills/class/history.h"
+#include "skills/report/report_json.h"
 #include "skills/report/task_page.h"
+#include "skills/score/verdict.h"
 
 namespace resect {
 namespace {
@@ -163,7 +168,7 @@ void MainWindow::startExercise(const Exercise& exercise, TaskLevel level) {
 
 // A new operation has begun; it is an exercise if its scenario has a task.
 void MainWindow::beginExercise() {
-  scorer_.cancel();
+  scorer_.leave();
   waitsForHand_ = attempt_ != nullptr;
   attemptEnded_ = false;
   targetSaid_ = kNoTarget;
@@ -239,7 +244,7 @@ bool MainWindow::refusesGoingBack() {
 
 // The exercise is given up.
 void MainWindow::endExerciseUnscored() {
-  scorer_.cancel();
+  scorer_.leave();
   attempt_.reset();
   session_->setGuide({});
   session_->setGhosts(false);
@@ -270,9 +275,17 @@ void MainWindow::endExercise(const std::string& why, std::optional<double> end) 
     recorder_->saveAs(recording, {attemptBranch_, last});
     session_->show(session_->state().moment);  // nothing happens any more
     exercise_->showEnd(translated(why));
+    const AttemptScorer::Attempt attempt{recording, page_, historyIn(folder), name,
+                                         asTest_ || isDraft()};
+    const std::optional<AttemptResult> now = resultNow(attempt);
+    if (now) showResult(*now);
     scorer_.score(
-        {recording, page_, historyIn(folder), name, asTest_ || isDraft()},
-        [this](const AttemptResult& result) { showResult(result); },
+        attempt,
+        [this, now](const AttemptResult& result) {
+          if (!now || !agree(*now, result)) showResult(result);
+          if (now && options_.reports && !agree(*now, result)) say("result changed");
+          if (isDraft()) keepTry(result);
+        },
         [this] {
           exercise_->showPage();
           if (!options_.reports) return;
@@ -289,9 +302,29 @@ void MainWindow::endExercise(const std::string& why, std::optional<double> end) 
   }
 }
 
+// The result as the operation itself knows it, so that nobody waits until the recording has been
+// played again; none if work was taken back.
+std::optional<AttemptResult> MainWindow::resultNow(const AttemptScorer::Attempt& attempt) {
+  RecordingFile file(attempt.recording);
+  const std::vector<CourseSpan> course = courseTo(file, file.moment());
+  if (course.size() != 1) return {};
+  std::optional<Attempt> done;
+  session_->operation().look(
+      [&](const Simulation& simulation) { done = attempt_->end(course.front().last, simulation); });
+  if (!done) return {};
+  done->file = attempt.recording.string();
+  done->learner = attempt.learner;
+  LearnerHistory history(attempt.history);
+  const bool graded = attempt.graded || !done->task->familiarisation ||
+                      history.hasTried(done->learner, done->scenario);
+  const Scored scored = score(std::move(*done), {}, graded);
+  history.keep(historyEntry(scored, scoreKey(attempt.recording, {}, {})));
+  const std::string json = nlohmann::ordered_json::array({toJson(scored)}).dump();
+  return readResult(QByteArray::fromStdString(json));
+}
+
 void MainWindow::showResult(const AttemptResult& result) {
   exercise_->showResult(result);
-  if (isDraft()) keepTry(result);
   std::vector<TimelinePanel::Mark> marks;
   for (std::size_t i = 0; i < result.evidence.size(); ++i)
     if (const Evidence& one = result.evidence[i]; one.time)

@@ -56,7 +56,9 @@ QScrollArea* scrolling(QWidget* content, int letters) {
 }
 
 // How an instrument that follows the surface works while the left button is down.
-QString useOf(const std::string& kind) {
+QString useOf(const std::string& kind, bool bleeds) {
+  if (!bleeds && (kind == "clip_applier" || kind == "inflow_clamp"))
+    return Words::tr("there is nothing for it to close, since this organ has no vessels");
   constexpr std::pair<const char*, const char*> kUses[] = {
       {"scalpel", QT_TRANSLATE_NOOP("window", "press the left button and draw: it cuts")},
       {"hook", QT_TRANSLATE_NOOP("window", "press the left button and draw: it catches and pulls")},
@@ -213,7 +215,8 @@ void MainWindow::showLaboratory(bool shown) {
   if (options_.reports) say("laboratory {}", shown ? "shown" : "hidden");
 }
 
-// Heights for what the panels show; the last one gets what is left. Called once they are laid out.
+// Heights for what the panels show. What is left goes to the first panel, whose rows grow, or to
+// the laboratory's. Called once they are laid out.
 void MainWindow::arrangePanels() {
   const int told = operation_->explains() ? 8 : 0;
   const int operation = 13 + told, organ = 19;  // lines, with all rows that may appear
@@ -229,7 +232,8 @@ void MainWindow::arrangePanels() {
   }
   int others = 3 * line;  // menu, status
   for (const int height : heights) others += height;
-  (wide ? heights.front() : heights.back()) += std::max(0, height() - others);
+  const bool laboratory = laboratory_->isChecked() && !wide;
+  (laboratory ? heights.back() : heights.front()) += std::max(0, height() - others);
   resizeDocks(panels, heights, Qt::Vertical);
   const int letters = wide ? kWideLetters : kPanelLetters;
   resizeDocks({panels.front()}, {letters * fontMetrics().averageCharWidth()}, Qt::Horizontal);
@@ -283,7 +287,10 @@ QString MainWindow::nextStep() const {
       if (tools.pressing())
         return Words::tr("%1 at work, %2; F leaves it there.").arg(name, depth + howLongClosed);
       return Words::tr("%1: %2, %3.")
-          .arg(name, useOf(session_->toolModels()[std::size_t(tools.held())].kind), depth);
+          .arg(name,
+               useOf(session_->toolModels()[std::size_t(tools.held())].kind,
+                     session_->state().bleeds),
+               depth);
     case ToolHandling::Hold::HandleBox:
       return Words::tr("%1 in a handle box: drag it to move it; middle click to turn it.")
           .arg(name);

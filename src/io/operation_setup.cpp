@@ -279,7 +279,8 @@ std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& o
           i + 1, boxText(particleBox(organ.rest)));
     if (notes)
       notes->push_back(fmt::format(
-          "attachment {} was left out: this organ has no tissue in that part of its box", i + 1));
+          "a ligament of the scenario (attachment {}) was left out: this organ has no tissue there",
+          i + 1));
   }
   return tissue;
 }

@@ -114,10 +114,14 @@ class Exercises(ScreenTest):
         self.screen.picture("2_at_work")
         self.press(window, "Finish")
         window.wait("exercise ended: Finished.")
+        ended = time.time()
         result = window.wait("result")
+        self.assertLess(time.time() - ended, 3)  # it does not wait until the recording is played
         self.assertTrue(result.startswith("result failed"), result)
         self.assertIn("2 of 4 targets", result)
         window.wait("report written")
+        window.drain()
+        self.assertNotIn("result changed", window.said)
         self.screen.picture("3_result")
         self.assertEqual([f.name for f in sorted(ATTEMPTS.glob("L-17/*"))],
                          ["touch-and-hold-1.html", "touch-and-hold-1.resect"])

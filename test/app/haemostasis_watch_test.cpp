@@ -19,6 +19,7 @@ LiveState stateAt(double time, double squeeze, std::vector<BleedingEnd> ends, in
   state.squeeze = {squeeze};
   state.bleedingEnds = std::move(ends);
   state.clips = clips;
+  state.bleeds = true;
   return state;
 }
 
@@ -89,6 +90,10 @@ TEST_CASE("a clip says what it has closed when the flow is steady, or that it fo
   CHECK(hand.said(stateAt(1, 0, {}, 1)).empty());
   CHECK(hand.said(stateAt(1.1, 1, {}, 1)).find("No clip was placed") == 0);
   CHECK_FALSE(HaemostasisWatch::watches(modelOf("hook")));
+  CHECK(hand.said(stateAt(1.2, 0, {}, 1)).empty());
+  LiveState without = stateAt(1.3, 1, {}, 1);
+  without.bleeds = false;
+  CHECK(hand.said(without) == "No clip was placed: this organ has no vessels");
 }
 
 TEST_CASE("clips of a scenario that plays are told, but not what a hand could do better") {

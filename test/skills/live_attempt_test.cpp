@@ -7,11 +7,22 @@
 #include "io/operation_setup.h"
 #include "io/plain_mesh.h"
 #include "io/scenario/scenario_file.h"
+#include "record/session_recordings.h"
+#include "skills/attempt/read_attempt.h"
 #include "skills/live/next_step.h"
+#include "skills/score/verdict.h"
+#include "support/temporary_folder.h"
 
 using namespace resect;
+using test::TemporaryFolder;
 
 namespace {
+
+Scenario taskAt(const std::string& name, std::optional<double> spacing) {
+  Scenario scenario = readScenario(dataFolder() / "tasks" / (name + ".toml"));
+  if (spacing) setSpacing(scenario, *scenario.organs[0].source.spacing, *spacing);
+  return scenario;
+}
 
 // The reference run of a task, and a live attempt that is told of it.
 struct Run {
@@ -21,8 +32,10 @@ struct Run {
   OperationWatch watch;
   std::int64_t frame = 0, branch = 0;
 
-  explicit Run(const std::string& task)
-      : scenario(readScenario(dataFolder() / "tasks" / (task + ".toml"))),
+  explicit Run(const std::string& task) : Run(taskAt(task, {})) {}
+  Run(const std::string& task, double spacing) : Run(taskAt(task, spacing)) {}
+  explicit Run(Scenario of)
+      : scenario(std::move(of)),
         simulation(makeSimulation(scenario, readPlainMesh)),
         attempt(std::make_shared<LiveAttempt>(scenario, simulation)),
         watch(attempt->watch({})) {}
@@ -30,8 +43,9 @@ struct Run {
   void play(double until) {
     StepReport report;
     for (; frame < std::int64_t(until * scenario.frameRate); ++frame) {
-      simulation.step(frameInput(scenario, frame), report);
-      watch.stepped({branch, frame + 1}, {}, report, {}, simulation);
+      const FrameInput input = frameInput(scenario, frame);
+      simulation.step(input, report);
+      watch.stepped({branch, frame + 1}, input, report, {}, simulation);
     }
   }
 };
@@ -70,6 +84,39 @@ TEST_CASE("targets are done one after the other, and work that is taken back cou
   run.simulation.step(frameInput(run.scenario, 0), report);
   run.watch.stepped({3, 11}, {}, report, {}, run.simulation);
   CHECK(run.attempt->progress().time == last);
+}
+
+TEST_CASE("an attempt that has ended is scored at once as from its recording") {
+  for (const char* task : {"touch-and-hold", "control-bleeding"}) {
+    CAPTURE(task);
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder / "attempt.resect";
+    Run run(task, 0.014);
+    const auto recorder = std::make_shared<Recorder>(path, run.scenario, run.simulation);
+    run.watch = run.attempt->watch(watchOf(recorder));
+    run.play(run.scenario.duration);
+    const std::int64_t last = run.frame - 30;  // the rest does not count
+    recorder->saveAs(folder / "saved.resect", {0, last});
+    std::optional<Attempt> now = run.attempt->end(last, run.simulation);
+    REQUIRE(now);
+    const Scored live = score(std::move(*now));
+    const Scored kept = score(readAttempt(folder / "saved.resect"));
+    CHECK(live.attempt.time.size() == std::size_t(last));
+    CHECK(live.verdict.passed == kept.verdict.passed);
+    CHECK(live.verdict.score == kept.verdict.score);
+    CHECK(live.verdict.reason == kept.verdict.reason);
+    CHECK(live.verdict.good == kept.verdict.good);
+    REQUIRE(live.verdict.deductions.size() == kept.verdict.deductions.size());
+    for (std::size_t i = 0; i < live.verdict.deductions.size(); ++i)
+      CHECK(live.verdict.deductions[i].fact == kept.verdict.deductions[i].fact);
+    REQUIRE(live.measures.size() == kept.measures.size());
+    for (std::size_t i = 0; i < live.measures.size(); ++i) {
+      CAPTURE(live.measures[i].measure);
+      CHECK(live.measures[i].measure == kept.measures[i].measure);
+      CHECK(live.measures[i].value == doctest::Approx(kept.measures[i].value).epsilon(1e-6));
+    }
+    CHECK_FALSE(run.attempt->end(1, run.simulation));
+  }
 }
 
 TEST_CASE("the next step follows what was done") {

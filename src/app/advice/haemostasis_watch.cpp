@@ -102,6 +102,7 @@ QString HaemostasisWatch::followClip(const LiveState& state, bool shuts, const N
   if (shuts && state.clips > clipsBefore_) {
     placed_ = state.time;
   } else if (shuts && worker_ == Worker::Hand) {
+    if (!state.bleeds) return Words::tr("No clip was placed: this organ has no vessels");
     return Words::tr(
                "No clip was placed: there is no open vessel within %1 mm of the jaws; point at "
                "a yellow ring, or change the depth with the wheel")

@@ -19,6 +19,8 @@ namespace resect {
 struct Evidence {
   std::optional<double> time;  // s from the start of the recording
   QString fact, question, next;
+
+  bool operator==(const Evidence&) const = default;
 };
 
 struct AttemptResult {
@@ -34,7 +36,7 @@ struct AttemptResult {
 
 class AttemptScorer {
  public:
-  ~AttemptScorer() { cancel(); }
+  ~AttemptScorer();
 
   struct Attempt {
     std::filesystem::path recording, page, history;
@@ -44,8 +46,7 @@ class AttemptScorer {
     bool graded = true;
   };
   // Scores the attempt and writes its debrief to `page`. `done` gets the result as soon as it is
-  // known. `written` is called when the page has been written. `failed` gets an error message. A
-  // new call of score() or tabulate() cancels the work of the previous call.
+  // known. `written` is called when the page has been written. `failed` gets an error message.
   void score(const Attempt& attempt, std::function<void(AttemptResult)> done,
              std::function<void()> written, std::function<void(QString)> failed);
   // Writes the table of a class to `page`, in HTML. names: true: the table shows the learners'
@@ -53,14 +54,20 @@ class AttemptScorer {
   void tabulate(const std::filesystem::path& folder, const std::filesystem::path& page,
                 const std::filesystem::path& history, bool names, std::function<void()> written,
                 std::function<void(QString)> failed);
-  void cancel();
+  // Work that was begun goes on, but its functions are not called any more. score() and tabulate()
+  // do this first.
+  void leave();
 
  private:
   void start(const QStringList& arguments, std::function<void()> written,
              std::function<void(QString)> failed);
 
-  std::unique_ptr<QProcess> process_;
+  std::unique_ptr<QProcess> process_;            // null: none
+  std::vector<std::unique_ptr<QProcess>> left_;  // by leave()
 };
+
+// Whether both give the same verdict, for the same reasons.
+bool agree(const AttemptResult& a, const AttemptResult& b);
 
 // Reads the result from the output of `resect report --json -`; no value if the output is not
 // complete yet.

@@ -264,9 +264,13 @@ void ExercisePanel::showResult(const AttemptResult& result) {
   nextExercise_->show();
   page_->show();
   page_->setEnabled(false);
+  page_->setToolTip(Words::tr("The debrief with its pictures is being written"));
 }
 
-void ExercisePanel::showPage() { page_->setEnabled(true); }
+void ExercisePanel::showPage() {
+  page_->setEnabled(true);
+  page_->setToolTip(Words::tr("The whole debrief, in the browser"));
+}
 
 void ExercisePanel::showFailure(const QString& sentence) {
   scoring_->hide();

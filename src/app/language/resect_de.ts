@@ -3865,5 +3865,17 @@
         <source>All blood that has left the vessels, and its share of all blood of the patient</source>
         <translation>Alles Blut, das die Gefäße verlassen hat, und sein Anteil am Blut des Patienten</translation>
     </message>
+    <message>
+        <source>The debrief with its pictures is being written</source>
+        <translation>Die Auswertung mit ihren Bildern wird geschrieben</translation>
+    </message>
+    <message>
+        <source>No clip was placed: this organ has no vessels</source>
+        <translation>Kein Clip wurde gesetzt: dieses Organ hat keine Gefäße</translation>
+    </message>
+    <message>
+        <source>there is nothing for it to close, since this organ has no vessels</source>
+        <translation>hier gibt es nichts zu verschließen, da dieses Organ keine Gefäße hat</translation>
+    </message>
 </context>
 </TS>

@@ -84,9 +84,9 @@ void OperatingSession::showBleeding() {
   std::vector<BleedingEnd> ends;
   if (hand && hand->style.seeks > 0) {
     const bool clips = toolModels_[std::size_t(held)].kind == "clip_applier";
+    const double least = clips ? kTrickle : kLeastMarkedFlow;
     for (const BleedingEnd& end : state_.bleedingEnds)
-      if (std::abs(end.flow) >= kLeastMarkedFlow && (!clips || holdsClip(end.radius)))
-        ends.push_back(end);
+      if (std::abs(end.flow) >= least && (!clips || holdsClip(end.radius))) ends.push_back(end);
   }
   keepApart(ends);
   std::vector<Vec3> targets;

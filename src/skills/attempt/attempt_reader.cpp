@@ -75,8 +75,7 @@ void AttemptReader::measureMargins(const Simulation& simulation) {
       marginPlaces(organ, Structure(organ.rest, targetLabel_), 2.5 * attempt_.task->goal.margin);
 }
 
-void AttemptReader::rewind(std::size_t frames) {
-  if (frames >= attempt_.time.size()) return;
+void AttemptReader::keep(std::size_t frames) {
   attempt_.time.resize(frames);
   const double end = attempt_.duration();
   for (InstrumentRecord& one : attempt_.instruments) one.moments.resize(frames);
@@ -84,9 +83,31 @@ void AttemptReader::rewind(std::size_t frames) {
   std::erase_if(attempt_.vessels, [&](const VesselStory& v) { return v.cut > end; });
   std::erase_if(attempt_.clips, [&](const ClipPlaced& clip) { return clip.time > end; });
   std::erase_if(attempt_.tissue, [&](const TissueMoment& m) { return m.time > end; });
+  if (goal_) goal_->rewind(frames, attempt_);
+}
+
+void AttemptReader::rewind(std::size_t frames) {
+  if (frames >= attempt_.time.size()) return;
+  keep(frames);
   vessels_ = {};
   ++attempt_.undos;
-  if (goal_) goal_->rewind(frames, attempt_);
+}
+
+// Without a hand the inflow is not clamped or freed, so that a clamp that is on was on all the
+// time.
+void AttemptReader::endAt(std::size_t frames, const Simulation& simulation) {
+  if (frames < attempt_.time.size()) {
+    const double rest = attempt_.interval * double(attempt_.time.size() - frames);
+    if (std::ranges::any_of(simulation.organs(),
+                            [](const auto& o) { return o.organ.vessels.inflowClamped; }))
+      attempt_.inflowOccluded = std::max(0.0, attempt_.inflowOccluded - rest);
+    keep(frames);
+    for (VesselStory& vessel : attempt_.vessels)
+      if (vessel.closed && *vessel.closed > attempt_.duration()) vessel.closed.reset();
+  }
+  finish(simulation);
+  attempt_.tissue.back().time = attempt_.duration();
+  measureMargins(simulation);
 }
 
 ToolMoment AttemptReader::momentOf(const Simulation& simulation, const StepReport& report,

@@ -28,6 +28,9 @@ class AttemptReader {
   // Finds the places where the cuts came near the goal's structure (Attempt::margins). Cost: up to
   // a second.
   void measureMargins(const Simulation& simulation);
+  // To be called when the work is over: forgets all but the first `frames` frames. After them no
+  // instrument was in hand. simulation: its present state.
+  void endAt(std::size_t frames, const Simulation& simulation);
   // To be called when work is taken back: forgets all but the first `frames` frames. But the number
   // of torn bonds and the time of occluded inflow still include the work that was taken back.
   void rewind(std::size_t frames);
@@ -36,6 +39,7 @@ class AttemptReader {
   const GoalWatch* goal() const { return goal_ ? &*goal_ : nullptr; }
 
  private:
+  void keep(std::size_t frames);
   ToolMoment momentOf(const Simulation& simulation, const StepReport& report, std::size_t t) const;
   void takeLedger(const Simulation& simulation);
   void addSpecimens(const OrganLedger& organ, std::size_t number);

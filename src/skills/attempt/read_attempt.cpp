@@ -4,9 +4,9 @@
 
 #include "base/error.h"
 #include "io/scenario/task_reader.h"
-#include "operation/live/sight.h"
 #include "record/course.h"
 #include "skills/attempt/attempt_reader.h"
+#include "skills/attempt/unseen.h"
 
 namespace resect {
 namespace {
@@ -17,27 +17,6 @@ std::optional<Task> taskOf(RecordingFile& file, const RecordedSetup& setup,
   const std::string text = file.task();
   if (text.empty()) return {};
   return parseTask(text, file.name() + ", its task", setup.scenario);
-}
-
-// Adds up for how long the tips were outside the picture on the way through a span.
-void addSight(RecordingFile& file, const CourseSpan& span, double interval, Attempt& attempt) {
-  std::vector<std::optional<std::int64_t>> since(attempt.instruments.size());
-  const auto seen = [&](std::size_t tool, std::int64_t frame) {
-    if (!since[tool]) return;
-    *attempt.instruments[tool].unseen += interval * double(frame - *since[tool]);
-    since[tool].reset();
-  };
-  for (const OperationEvent& event : file.events(span.branch)) {
-    if (event.tool < 0 || std::size_t(event.tool) >= since.size()) continue;
-    if (event.frame <= span.first || event.frame > span.last) continue;
-    const auto tool = std::size_t(event.tool);
-    if (isSight(event) || event.kind == "put_back") seen(tool, event.frame);
-    if (!isSight(event)) continue;
-    std::optional<double>& unseen = attempt.instruments[tool].unseen;
-    if (!unseen) unseen = 0;
-    if (event.kind == kOutOfView) since[tool] = event.frame;
-  }
-  for (std::size_t tool = 0; tool < since.size(); ++tool) seen(tool, span.last);
 }
 
 }  // namespace
@@ -75,7 +54,8 @@ Attempt readAttempt(const std::filesystem::path& path, const AttemptOptions& opt
       report(progress, double(simulation.frame()) / end);
     }
   }
-  for (const CourseSpan& span : course) addSight(file, span, attempt.interval, attempt);
+  for (const CourseSpan& span : course)
+    addUnseen(file.events(span.branch), span.first, span.last, attempt);
   reader.finish(simulation);
   reader.measureMargins(simulation);
   return attempt;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 
@@ -132,6 +133,12 @@ std::vector<HistoryEntry> LearnerHistory::entries(const std::string& learner) {
   std::vector<HistoryEntry> all;
   while (row.step()) all.push_back(entryOf(row, database_.name()));
   return all;
+}
+
+bool LearnerHistory::hasTried(const std::string& learner, const std::string& scenario) {
+  return std::ranges::any_of(entries(learner), [&](const HistoryEntry& entry) {
+    return entry.learner == learner && entry.scenario == scenario;
+  });
 }
 
 std::int64_t LearnerHistory::remove(const std::string& learner) {

@@ -47,6 +47,8 @@ class LearnerHistory {
   // The entries of one learner; if `learner` is empty, the entries of all learners. Sorted by
   // learner, scenario and HistoryEntry::written.
   std::vector<HistoryEntry> entries(const std::string& learner = "");
+  // Whether the learner has an attempt at the scenario here.
+  bool hasTried(const std::string& learner, const std::string& scenario);
   // Deletes all entries of a learner, without traces in the file. Returns the number of these
   // entries.
   std::int64_t remove(const std::string& learner);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "operation/live/sight.h"
+#include "skills/attempt/unseen.h"
 #include "skills/live/next_step.h"
 
 namespace resect {
@@ -41,7 +43,7 @@ OperationWatch LiveAttempt::watch(OperationWatch next) {
                      Moment moment, const FrameInput& input, const StepReport& report,
                      std::span<const OperationEvent> events, const Simulation& simulation) {
     if (next.stepped) next.stepped(moment, input, report, events, simulation);
-    self->stepped(moment, report, simulation);
+    self->stepped(moment, report, events, simulation);
   };
   return both;
 }
@@ -58,14 +60,25 @@ void LiveAttempt::began(const Branch& branch) {
   reader_.rewind(std::size_t(branch.from));
 }
 
-void LiveAttempt::stepped(Moment moment, const StepReport& report, const Simulation& simulation) {
+void LiveAttempt::stepped(Moment moment, const StepReport& report,
+                          std::span<const OperationEvent> events, const Simulation& simulation) {
   lost_ = lost_ || moment.branch != branch_;
-  if (lost_) return;
+  if (lost_ || ended_) return;
   reader_.add(simulation, report);
+  for (const OperationEvent& event : events)
+    if (isSight(event) || event.kind == "put_back") events_.push_back(event);
   if (std::ranges::any_of(attempt_.instruments,
                           [](const auto& one) { return one.moments.back().inHand; }))
     worked_ = simulation.time();
   if (simulation.frame() % every_ == 0) publish(simulation);
+}
+
+std::optional<Attempt> LiveAttempt::end(std::int64_t frames, const Simulation& simulation) {
+  if (lost_ || ended_ || attempt_.undos > 0) return {};
+  ended_ = true;
+  reader_.endAt(std::size_t(std::max<std::int64_t>(0, frames)), simulation);
+  addUnseen(events_, 0, frames, attempt_);
+  return attempt_;
 }
 
 void LiveAttempt::publish(const Simulation& simulation) {

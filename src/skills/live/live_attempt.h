@@ -2,8 +2,7 @@
 // goal are in the moving tissue.
 //
 // When work is taken back, a LiveAttempt forgets only a part of that work
-// (AttemptReader::rewind()). So the final score is not computed from a LiveAttempt but from the
-// recording (read_attempt.h).
+// (AttemptReader::rewind()). Such an attempt is scored from its recording (read_attempt.h).
 #pragma once
 
 #include <memory>
@@ -47,10 +46,17 @@ class LiveAttempt : public std::enable_shared_from_this<LiveAttempt> {
   OperationWatch watch(OperationWatch next);
   // May be called from any thread. The result changes ten times per simulated second.
   AttemptProgress progress() const;
+  // The attempt up to a frame, to be scored at once, as readAttempt() would make it from the
+  // recording; but the blood that single vessels lost is that of the present. After this call the
+  // operation is not followed any more. frames: number of frames since the start; after them no
+  // instrument was in hand. simulation: of the operation, which does not step meanwhile. None if
+  // work was taken back. Cost: up to a second (AttemptReader::measureMargins()).
+  std::optional<Attempt> end(std::int64_t frames, const Simulation& simulation);
 
  private:
   void began(const Branch& branch);
-  void stepped(Moment moment, const StepReport& report, const Simulation& simulation);
+  void stepped(Moment moment, const StepReport& report, std::span<const OperationEvent> events,
+               const Simulation& simulation);
   void publish(const Simulation& simulation);
 
   Attempt attempt_;
@@ -58,6 +64,8 @@ class LiveAttempt : public std::enable_shared_from_this<LiveAttempt> {
   std::size_t organ_ = 0;
   std::vector<std::int64_t> structure_;  // cells of the goal's structure
   std::int64_t every_;                  // number of frames from one update of progress_ to the next
+  std::vector<OperationEvent> events_;  // of sight, and of instruments that were put back
+  bool ended_ = false;                  // by end()
   std::int64_t branch_ = 0;             // number of the branch that is followed
   bool lost_ = false;                   // whether the operation went on in another branch
   std::optional<double> reachedSince_;  // time when the goal was reached, s since the start

@@ -16,7 +16,6 @@ constexpr double kBehind = 0.003;   // m: a clip sits this far behind the end of
 constexpr double kJaws = 0.004;     // m: half the length of the jaws
 constexpr double kBetween = 0.002;  // m: clips on one vessel are farther apart
 constexpr double kAstray = 0.01;    // m: how far a vessel may be from where its surroundings put it
-constexpr double kTrickle = 1e-6 / 60;  // m^3/s, 1 ml/min: less is no bleeding to a surgeon
 constexpr double kSample = 0.0005;  // m: distance of the places that are looked at along a vessel
 
 // A place `way` metres from `share` of a segment towards the root, on the segment or on those

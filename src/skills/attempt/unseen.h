@@ -1,0 +1,18 @@
+// The time during which nobody could see an instrument's tip.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "operation/live/operation_events.h"
+#include "skills/attempt/attempt.h"
+
+namespace resect {
+
+// Adds up, per instrument, for how long its tip was outside the picture while it was in hand
+// (InstrumentRecord::unseen). events: of a branch. first, last: the events after frame `first`, up
+// to frame `last`, count.
+void addUnseen(std::span<const OperationEvent> events, std::int64_t first, std::int64_t last,
+               Attempt& attempt);
+
+}  // namespace resect
