@@ -9,6 +9,7 @@
 #include <QUrl>
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "app/exercise/attempt_folder.h"
 #include "app/exercise/exercise_panel.h"
@@ -305,7 +306,7 @@ void MainWindow::endExercise(const std::string& why, std::optional<double> end) 
 // The result as the operation itself knows it, so that nobody waits until the recording has been
 // played again; none if work was taken back.
 std::optional<AttemptResult> MainWindow::resultNow(const AttemptScorer::Attempt& attempt) {
-  RecordingFile file(attempt.recording);
+  RecordingFile file = RecordingFile::open(attempt.recording);
   const std::vector<CourseSpan> course = courseTo(file, file.moment());
   if (course.size() != 1) return {};
   std::optional<Attempt> done;
