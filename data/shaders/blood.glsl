@@ -3,7 +3,7 @@ uniform sampler3D bloodMap;   // liquid and clotted; 1 stands for 2 mm
 uniform vec3 bloodLow;        // of the map, at rest, m
 uniform vec3 bloodPerMetre;   // 0: there is no blood
 
-uniform sampler3D heatMap;    // coagulated and charred
+uniform sampler3D heatMap;    // coagulated; burnt: up to 0.4 dried out, above charred
 uniform vec3 heatLow;         // of the map, at rest, m
 uniform vec3 heatPerMetre;    // 0: nothing was heated
 
@@ -20,7 +20,7 @@ vec2 structureAt(vec3 rest) {
   return texture3D(structureMap, at).ra;
 }
 
-// How much heat has coagulated (x) and charred (y) tissue, 0 to 1.
+// How much heat has coagulated (x) and burnt (y) tissue, 0 to 1.
 vec2 heatAt(vec3 rest) {
   if (heatPerMetre.x == 0.0) return vec2(0.0);
   vec3 at = (rest - heatLow) * heatPerMetre;
@@ -45,17 +45,19 @@ vec2 bloodAt(vec3 rest, float rough, vec3 n) {
   float thin = (1.0 - smoothstep(0.10, 0.60, thick.x)) * smoothstep(0.15, 0.5, steep);
   thick.x *= mix(1.0, smoothstep(-0.75, 0.45, stream) * 1.5, thin);
   // Between cells thickness falls off in straight lines; a border that starts where the noise has it hides them.
-  vec2 least = vec2(0.018 + 0.12 * smoothstep(-0.5, 0.9, rough));
+  // On a slope it is drawn out into tongues.
+  float ragged = mix(rough, 0.9 * stream, 0.8 * smoothstep(0.15, 0.5, steep));
+  vec2 least = vec2(0.018 + 0.12 * smoothstep(-0.5, 0.9, ragged));
   // It thins out towards the border, so that the surface under it is seen there.
-  vec2 above = max(thick - 0.85 * least, 0.0);
-  return above * smoothstep(0.0, 0.05, above);
+  vec2 above = max(thick - 0.7 * least, 0.0);
+  return above * smoothstep(-0.02, 0.20, above);
 }
 
 // What is seen of a surface of this colour under blood: liquid absorbs green and blue within a twentieth
 // of a millimetre, red within a seventh of one; behind that is the blood's own red, the darker the deeper it is.
 vec3 underBlood(vec3 colour, vec2 thick) {
   vec3 through = exp(-thick.x * vec3(7.0, 18.0, 20.0) - thick.y * vec3(8.0, 20.0, 22.0));
-  vec3 fresh = mix(vec3(0.042, 0.0018, 0.0022), vec3(0.017, 0.0008, 0.0011), smoothstep(0.12, 1.1, thick.x));
+  vec3 fresh = mix(vec3(0.042, 0.0018, 0.0022), vec3(0.023, 0.0010, 0.0014), smoothstep(0.12, 1.1, thick.x));
   vec3 own = mix(fresh, vec3(0.016, 0.0014, 0.0014), thick.y / (thick.x + thick.y + 1e-4));
   return colour * through + own * (1.0 - through);
 }

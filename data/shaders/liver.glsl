@@ -115,11 +115,12 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base, vec3 n) {
     float rough = 0.6 * at.middle.x + 0.5 * at.fine.x;
     float tan_ = smoothstep(0.12, 0.70, heat.x + 0.28 * rough), edge = smoothstep(0.0, 0.30, heat.x + 0.10 * rough) * (1.0 - tan_);
     float crust = smoothstep(0.55, 0.95, heat.x) * smoothstep(0.05, 0.45, at.middle.x - 0.6 * at.fine.x);
-    float char_ = smoothstep(0.04, 0.45, heat.y * (1.0 + 0.6 * rough));
+    float brown = smoothstep(0.02, 0.30, heat.y * (1.0 + 0.8 * rough)), char_ = smoothstep(0.45, 0.75, heat.y * (1.0 + 0.3 * rough));
     t.albedo = mix(t.albedo, vec3(0.090, 0.046, 0.033), 0.75 * edge);
     t.albedo = mix(t.albedo, vec3(0.086, 0.071, 0.057) * (1.0 + 0.30 * rough), 0.96 * tan_);
     t.albedo = mix(t.albedo, vec3(0.048, 0.026, 0.016) * (1.0 + 0.4 * at.fine.x), 0.85 * crust);
-    t.albedo = mix(t.albedo, mix(vec3(0.045, 0.024, 0.015), vec3(0.012, 0.010, 0.009), char_), char_);
+    t.albedo = mix(t.albedo, vec3(0.040, 0.021, 0.013) * (1.0 + 0.4 * at.fine.x), 0.9 * brown);
+    t.albedo = mix(t.albedo, vec3(0.012, 0.010, 0.009), char_);
     t.wet *= 1.0 - 0.9 * tan_;
     t.lost += 0.10 * tan_;
     t.bumps += (0.05 * tan_ + 0.05 * char_) * at.fine.yzw + 0.03 * tan_ * at.middle.yzw;
@@ -131,6 +132,8 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base, vec3 n) {
     float covered = smoothstep(0.06, 0.5, blood.x), clot = smoothstep(0.05, 0.3, blood.y - blood.x);
     t.bumps = mix(t.bumps, 0.25 * t.bumps, covered);
     t.waves = mix(t.waves, 0.35 * t.waves, covered);
+    float border_ = smoothstep(0.0, 0.05, blood.x) * (1.0 - smoothstep(0.06, 0.25, blood.x));
+    t.waves += 0.35 * border_ * at.middle.yzw;
     t.wet = mix(t.wet, 1.0 - 0.6 * clot, max(covered, clot));
     t.lost *= 1.0 - 0.7 * covered;
   }

@@ -16,9 +16,10 @@ struct TissueMap {
   // Texels are stored with x fastest. In a map of blood, the first byte of a texel is the thickness
   // of liquid blood, the second byte the thickness of clotted blood; both are weighted means over
   // the skin at and beside the texel. In a map of heat, the first byte is the share of the tissue
-  // that is coagulated, the second byte the share that is charred. In a map of structures, the
+  // that is coagulated. The second byte says how far the tissue is burnt: 0.4 times the share of
+  // its water that is gone, plus 0.6 times the share that is charred. In a map of structures, the
   // first byte is the share of the tissue that belongs to a tumour, the second byte the share that
-  // belongs to other structures. The byte 255 stands for a share of 1.
+  // belongs to other structures. The byte 255 stands for 1.
   Vec3f low = Vec3f::Zero();
   Vec3f spacing = Vec3f::Ones();
   Vec3i dims = Vec3i::Zero();

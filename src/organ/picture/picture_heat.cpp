@@ -42,7 +42,7 @@ std::shared_ptr<const TissueMap> pictureHeat(const OperatedOrgan& organ) {
     const std::size_t texel = texelOf(lattice.cell(s.index));
     kind[texel] = Cell::Tissue;
     map->texels[2 * texel] = toByte(s.coagulated);
-    map->texels[2 * texel + 1] = toByte(s.charred);
+    map->texels[2 * texel + 1] = toByte(0.4 * (1 - s.water) + 0.6 * s.charred);
     const Vec3 rest = lattice.centre(lattice.cell(s.index));
     const auto cell = cells.cellAt(rest);
     if (cell && organ.tissue->solid(cells.index(*cell)))

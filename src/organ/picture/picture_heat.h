@@ -8,8 +8,8 @@
 
 namespace resect {
 
-// The shares of coagulated and of charred tissue round the heated spots. The map has no texels if
-// there are no heated spots. Cost: proportional to the volume of the box round these spots.
+// How far the tissue round the heated spots is coagulated and burnt (TissueMap). The map has no
+// texels if there are no heated spots. Cost: proportional to the volume of the box round these spots.
 std::shared_ptr<const TissueMap> pictureHeat(const OperatedOrgan& organ);
 
 }  // namespace resect
