@@ -135,10 +135,10 @@ MainWindow::~MainWindow() {
 // In each tick, since a click may be short.
 void MainWindow::sayWhatIsClosed(const LiveState& state) {
   const int held = session_->tools().held();
-  const auto nameOf = [this](const BleedingEnd& end) {
+  const auto nameOf = [this](std::int32_t organ, std::int32_t segment) {
     std::string name;
     session_->operation().look([&](const Simulation& s) {
-      name = s.organs()[std::size_t(end.organ)].organ.map->nameOf(end.segment);
+      name = s.organs()[std::size_t(organ)].organ.map->nameOf(segment);
     });
     return name;
   };
@@ -198,8 +198,14 @@ void MainWindow::tick() {
       if (tools.isLeft(i)) names += " " + session_->toolModels()[std::size_t(i)].name;
     if (options_.reports) say("left{}", names.empty() ? " nothing" : names);
   }
-  instruments_->show(heldSaid_, tools.left());
   const LiveState& state = session_->state();
+  // A scenario's instruments wait in the air between their tasks.
+  constexpr double kWaits = 1;  // s
+  std::vector<std::uint8_t> working = tools.left();
+  if (session_->playing() || session_->showing())
+    for (std::size_t i = 0; i < working.size() && i < state.lastTouch.size(); ++i)
+      if (state.lastTouch[i] < 0 || state.time - state.lastTouch[i] > kWaits) working[i] = 0;
+  instruments_->show(heldSaid_, working);
   speaker_.follow(state, session_->toolModels(), tools.pedalling() ? tools.held() : -1);
   if (options_.reports && state.removed != removedSaid_) {
     removedSaid_ = state.removed;

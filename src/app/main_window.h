@@ -224,7 +224,8 @@ class MainWindow : public QMainWindow {
   bool marking_ = false;                  // the next click marks a place
   std::shared_ptr<LiveAttempt> attempt_;  // attempt at the last exercise; null: none
   bool attemptEnded_ = false;
-  bool waitsForHand_ = false;  // no instrument was taken yet, so the time has not started
+  bool afterExercise_ = false;  // somebody works on after the end of an exercise
+  bool waitsForHand_ = false;   // no instrument was taken yet, so the time has not started
   std::vector<HaemostasisWatch> haemostasis_;  // of each instrument that closes vessels
   int haemorrhage_ = 1;                        // class of haemorrhage at the last tick
   bool menuOpen_ = false;                      // a menu was open at the last tick

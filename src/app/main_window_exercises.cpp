@@ -171,7 +171,7 @@ void MainWindow::startExercise(const Exercise& exercise, TaskLevel level) {
 void MainWindow::beginExercise() {
   scorer_.leave();
   waitsForHand_ = attempt_ != nullptr;
-  attemptEnded_ = false;
+  attemptEnded_ = afterExercise_ = false;
   targetSaid_ = kNoTarget;
   replayUntil_ = -1;
   if (!isDraft() && !makerDock_->isHidden()) closeMaker();
@@ -199,6 +199,7 @@ void MainWindow::followExercise(const LiveState& state) {
   }
   if (attemptEnded_ && attempt_ && !session_->showing() && session_->answered()) {
     attemptEnded_ = false;
+    afterExercise_ = true;
     attempt_.reset();
     session_->setGuide({});
     statusBar()->showMessage(Words::tr("The exercise is over: what is done now does not count"),

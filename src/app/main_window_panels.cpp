@@ -56,8 +56,14 @@ QScrollArea* scrolling(QWidget* content, int letters) {
 }
 
 // How an instrument that follows the surface works while the left button is down.
-QString useOf(const std::string& kind, bool bleeds) {
-  if (!bleeds && (kind == "clip_applier" || kind == "inflow_clamp"))
+QString useOf(const std::string& kind, const LiveState& state) {
+  const bool dry = state.bleeds && state.bleedingEnds.empty();
+  if (dry && kind == "clip_applier")
+    return Words::tr("point at a vessel; hold the left button down half a second: it clips");
+  if (dry && kind == "bipolar")
+    return Words::tr(
+        "point at a vessel or a raw surface; hold the left button down 2 s: they seal");
+  if (!state.bleeds && (kind == "clip_applier" || kind == "inflow_clamp"))
     return Words::tr("there is nothing for it to close, since this organ has no vessels");
   constexpr std::pair<const char*, const char*> kUses[] = {
       {"scalpel", QT_TRANSLATE_NOOP("window", "press the left button and draw: it cuts")},
@@ -255,9 +261,11 @@ QString MainWindow::nextStep() const {
     return Words::tr("This is an earlier moment: work on from here, or press End to go back.");
   if (session_->playedOut() && tools.how() == ToolHandling::Hold::None)
     return (session_->state().bled > 0
-                ? Words::tr("The scenario has ended: %1 ml of blood lost, %2 ml/min bleed now. ")
+                ? Words::tr("The scenario has ended: %1 ml of blood lost; bleeding now: %2 ml/min, "
+                            "%3. ")
                       .arg(1e6 * session_->state().bled, 0, 'f', 0)
                       .arg(60e6 * session_->state().bleedingRate, 0, 'f', 0)
+                      .arg(gradeText(session_->state().bleedingRate))
                 : Words::tr("The scenario has ended. ")) +
            Words::tr("Take an instrument to go on, or drag the mark in the timeline to look back.");
   const QString name = heldName();
@@ -288,8 +296,7 @@ QString MainWindow::nextStep() const {
         return Words::tr("%1 at work, %2; F leaves it there.").arg(name, depth + howLongClosed);
       return Words::tr("%1: %2, %3.")
           .arg(name,
-               useOf(session_->toolModels()[std::size_t(tools.held())].kind,
-                     session_->state().bleeds),
+               useOf(session_->toolModels()[std::size_t(tools.held())].kind, session_->state()),
                depth);
     case ToolHandling::Hold::HandleBox:
       return Words::tr("%1 in a handle box: drag it to move it; middle click to turn it.")
@@ -308,8 +315,12 @@ void MainWindow::followPanels(const LiveState& state, qint64 now) {
   // An exercise's step comes first; how to use what is in hand follows, not that something should
   // be.
   const bool empty = session_->tools().how() == ToolHandling::Hold::None && !session_->showing();
-  hint_->reserve(exercising() ? 3 : 2);
-  hint_->say(step.isEmpty() ? nextStep() : empty ? step : step + "   " + nextStep());
+  hint_->reserve(exercising() || afterExercise_ ? 3 : 2);
+  hint_->say(afterExercise_ ? Words::tr("The exercise is over: what is done now does not count") +
+                                  ".   " + nextStep()
+             : step.isEmpty() ? nextStep()
+             : empty          ? step
+                              : step + "   " + nextStep());
   // A slow second may have other causes, such as a program that starts.
   constexpr qint64 kLong = 2000;  // ms
   const double cell = session_->cells().lattice.spacing.x();

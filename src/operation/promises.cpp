@@ -43,7 +43,7 @@ std::vector<std::string> findings(const RunSummary& summary, const Scenario& sce
   for (const std::string& word : scenario.promises) {
     const auto kind = std::ranges::find(kPromises, word, &PromiseKind::word);
     if (kind != kPromises.end() && !kept(word, summary))
-      sentences.push_back(fmt::format("the title is not true of this run: {}", kind->sentence));
+      sentences.push_back(fmt::format("not as the scenario is meant: {}", kind->sentence));
   }
   return sentences;
 }

@@ -183,8 +183,17 @@ class Exercises(ScreenTest):
         self.begun(window)
         self.screen.key("ctrl+z")
         window.wait("going back refused")
+        before = set(ATTEMPTS.glob("*/*.html"))
         self.press(window, "Finish")
         self.assertTrue(window.wait("result").startswith("result failed"))
+        # The report is written though the window closes.
+        self.screen.key("ctrl+q")
+        window.process.wait(timeout=30)
+        for _ in range(90):
+            if set(ATTEMPTS.glob("*/*.html")) - before:
+                break
+            time.sleep(1)
+        self.assertEqual(len(set(ATTEMPTS.glob("*/*.html")) - before), 1)
 
     def test_a_teacher_makes_an_exercise_and_a_student_does_it(self):
         window = self.opened()

@@ -18,7 +18,7 @@ LiveState stateAt(double time, double squeeze, std::vector<BleedingEnd> ends, in
   state.poses = {Pose()};
   state.squeeze = {squeeze};
   state.bleedingEnds = std::move(ends);
-  state.clips = clips;
+  state.clips.assign(std::size_t(clips), {0, 3, 0.0015});
   state.bleeds = true;
   return state;
 }
@@ -36,7 +36,7 @@ struct Hand {
 
   explicit Hand(const char* kind) : watch(0, modelOf(kind)) {}
   std::string said(const LiveState& state) {
-    const auto name = [](const BleedingEnd&) { return std::string("left hepatic vein"); };
+    const auto name = [](std::int32_t, std::int32_t) { return std::string("left hepatic vein"); };
     return watch.follow(state, worker, name).toStdString();
   }
 };
@@ -77,6 +77,12 @@ TEST_CASE("a click that is too short for the jaws is told") {
   for (const double squeeze : {0.3, 0.7}) CHECK(said(squeeze).empty());
   CHECK(said(1).find("No clip was placed") == 0);
   for (const double squeeze : {1.0, 0.6, 0.2, 0.0, 0.0}) CHECK(said(squeeze).empty());
+}
+
+TEST_CASE("jaws that open when the time begins to run are no short click") {
+  Hand hand("clip_applier");
+  for (int i = 0; i < 3; ++i) CHECK(hand.said(LiveState()).empty());  // no frame yet
+  for (const double squeeze : {0.6, 0.2, 0.0}) CHECK(hand.said(stateAt(0.1, squeeze, {})).empty());
 }
 
 TEST_CASE("a clip says what it has closed when the flow is steady, or that it found nothing") {

@@ -88,7 +88,7 @@ class Organs(unittest.TestCase):
         done = resect("run", miss)
         self.assertEqual(done.returncode, 0)
         self.assertIn("scalpel was in hand and met no organ", done.stdout)
-        self.assertIn("the title is not true of this run: no tissue was removed", done.stdout)
+        self.assertIn("not as the scenario is meant: no tissue was removed", done.stdout)
         done = resect("run", miss, "--strict")
         self.assertEqual(done.returncode, 1)
         self.assertIn("leave out --strict", done.stderr)

@@ -71,7 +71,8 @@ def all_scenarios():
         "A branch of the portal vein bleeds", "Cut a branch of 3 mm with the scalpel; blood wells up, runs and pools", 8.0,
         bleeding.bleed(), ligaments(ASIDE), organ=bleeds, duration=12, close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
     yield "stop-bleeding", elastic(
-        "Bleeding is brought down", "Clear the wound with suction, close the vessel with a clip, seal the rest with bipolar forceps", 8.0,
+        "Bleeding is brought down", "Cut a branch of the portal vein; clear the wound with suction, "
+        "close the vessel with a clip, seal the rest with bipolar forceps", 8.0,
         bleeding.stop_bleeding(), ligaments(ASIDE), organ=bleeds, close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
     yield "transect", elastic(
         "Part of a left lateral sectionectomy", "Clamp the inflow, bare the vessels with the aspirator, clip and divide "

@@ -40,6 +40,14 @@ const BleedingEnd* mostStopped(const std::vector<BleedingEnd>& before,
   return best;
 }
 
+// A clip that was not there before; null: none. Both lists are sorted in the same way.
+const VesselPlace* newClip(const std::vector<VesselPlace>& before,
+                           const std::vector<VesselPlace>& now) {
+  for (std::size_t i = 0; i < now.size(); ++i)
+    if (i >= before.size() || now[i] != before[i]) return &now[i];
+  return nullptr;
+}
+
 QString millilitres(double perMinute) {
   return QString::number(perMinute, 'f', perMinute < 10 ? 1 : 0);
 }
@@ -82,7 +90,7 @@ QString HaemostasisWatch::follow(const LiveState& state, Worker worker, const Na
   if (closed && forceps_) told = followForceps(state, shuts, state.poses[tool] * tip_, nameOf);
   // A click may be too short for the jaws to close. Jaws that open after they were closed, or since
   // the instrument was taken, are no such click.
-  if (worker != Worker::Hand || !same || closed) {
+  if (!known || worker != Worker::Hand || !same || closed) {
     begun_ = {};
   } else if (squeeze < kBegun) {
     if (begun_ && *begun_ >= kBegun)
@@ -99,7 +107,7 @@ QString HaemostasisWatch::follow(const LiveState& state, Worker worker, const Na
 }
 
 QString HaemostasisWatch::followClip(const LiveState& state, bool shuts, const NameOf& nameOf) {
-  if (shuts && state.clips > clipsBefore_) {
+  if (shuts && state.clips.size() > clipsBefore_.size()) {
     placed_ = state.time;
   } else if (shuts && worker_ == Worker::Hand) {
     if (!state.bleeds) return Words::tr("No clip was placed: this organ has no vessels");
@@ -110,10 +118,14 @@ QString HaemostasisWatch::followClip(const LiveState& state, bool shuts, const N
   }
   if (placed_ < 0 || state.time < placed_ + kSteady) return {};
   placed_ = -1;
-  const BleedingEnd* end = mostStopped(endsBefore_, state.bleedingEnds, false);
-  return end ? Words::tr("A clip was placed: the %1")
-                   .arg(whatBled(*end, flowNow(*end, state.bleedingEnds), nameOf(*end)))
-             : Words::tr("A clip was placed on a vessel that does not bleed");
+  if (const BleedingEnd* end = mostStopped(endsBefore_, state.bleedingEnds, false))
+    return Words::tr("A clip was placed: the %1")
+        .arg(whatBled(*end, flowNow(*end, state.bleedingEnds), nameOf(end->organ, end->segment)));
+  const VesselPlace* vessel = newClip(clipsBefore_, state.clips);
+  if (!vessel) return {};  // it slipped
+  return Words::tr("A clip was placed on the %1 of %2 mm, which did not bleed")
+      .arg(translated(nameOf(vessel->organ, vessel->segment)))
+      .arg(2e3 * vessel->radius, 0, 'f', 1);
 }
 
 // Told as soon as the vessel is sealed, while the forceps are still closed.
@@ -124,7 +136,8 @@ QString HaemostasisWatch::followForceps(const LiveState& state, bool shuts, cons
                   [&](const BleedingEnd& end) { return (end.place - tip).norm() > kReached; });
   const BleedingEnd* end = mostStopped(endsBefore_, state.bleedingEnds, true);
   if (!end) return {};
-  const QString told = Words::tr("Sealed: the %1").arg(whatBled(*end, 0, nameOf(*end)));
+  const QString told =
+      Words::tr("Sealed: the %1").arg(whatBled(*end, 0, nameOf(end->organ, end->segment)));
   std::erase_if(endsBefore_,
                 [&](const BleedingEnd& one) { return isClosed(one, state.bleedingEnds); });
   return told;

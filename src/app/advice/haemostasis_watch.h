@@ -16,8 +16,8 @@ class HaemostasisWatch {
  public:
   // Who works with an instrument.
   enum class Worker { Nobody, Hand, Scenario };
-  // Gives the name of a vessel, for people.
-  using NameOf = std::function<std::string(const BleedingEnd&)>;
+  // Gives the name of a vessel, for people, by its organ and segment.
+  using NameOf = std::function<std::string(std::int32_t organ, std::int32_t segment)>;
 
   // Whether the tool closes vessels, so that it can be watched.
   static bool watches(const ToolModel& model);
@@ -41,9 +41,9 @@ class HaemostasisWatch {
   bool closed_ = false;             // the jaws were closed at the last call
   // Last squeeze of the jaws since they were open; empty if they were closed since then.
   std::optional<double> begun_;
-  // Number of clips on vessels, the bleeding ends, and the simulated time, s, when the jaws were
-  // last open.
-  int clipsBefore_ = 0;
+  // The clips on vessels, the bleeding ends, and the simulated time, s, when the jaws were last
+  // open.
+  std::vector<VesselPlace> clipsBefore_;
   std::vector<BleedingEnd> endsBefore_;
   double opened_ = 0;
   // Simulated time at which a clip was placed whose effect is still to be told, s; -1: none.

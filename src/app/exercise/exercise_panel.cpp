@@ -264,11 +264,13 @@ void ExercisePanel::showResult(const AttemptResult& result) {
   nextExercise_->show();
   page_->show();
   page_->setEnabled(false);
-  page_->setToolTip(Words::tr("The debrief with its pictures is being written"));
+  page_->setText(Words::tr("Report being written ..."));
+  page_->setToolTip(Words::tr("The debrief with its pictures takes about as long as the attempt"));
 }
 
 void ExercisePanel::showPage() {
   page_->setEnabled(true);
+  page_->setText(Words::tr("Open the report"));
   page_->setToolTip(Words::tr("The whole debrief, in the browser"));
 }
 

@@ -23,18 +23,23 @@ namespace {
 
 constexpr int kCardWidth = 320, kPictureHeight = 180;  // pixels
 
-// "Best: passed, 92 %, easy; 3 attempts", or that there is none.
+// "Best: passed, 92 %, easy; 3 attempts", or that there is none. What was for practice does not
+// count.
 QString bestText(const std::string& scenario, const std::vector<HistoryEntry>& done) {
   int attempts = 0;
+  bool practised = false;
   const ClassAttempt* best = nullptr;
   for (const HistoryEntry& entry : done) {
     if (entry.scenario != scenario) continue;
-    ++attempts;
     const ClassAttempt& one = entry.attempt;
+    practised = practised || !one.graded;
+    if (!one.graded) continue;
+    ++attempts;
     if (!best || std::pair(one.passed, one.score) > std::pair(best->passed, best->score))
       best = &one;
   }
-  if (!best) return Words::tr("Not tried yet");
+  if (!best)
+    return practised ? Words::tr("Practised; the next attempt counts") : Words::tr("Not tried yet");
   const QString tries =
       (attempts == 1 ? Words::tr("%1 attempt") : Words::tr("%1 attempts")).arg(attempts);
   return (best->passed ? Words::tr("Best: passed, %1 %, %2; %3")

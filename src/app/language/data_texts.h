@@ -46,7 +46,7 @@
     QT_TRANSLATE_NOOP("data", "Scissors cut into the left lobe"),
     QT_TRANSLATE_NOOP("data", "Cut with the scissors, snip by snip, from the front; no tissue is lost, but blood"),
     QT_TRANSLATE_NOOP("data", "Bleeding is brought down"),
-    QT_TRANSLATE_NOOP("data", "Clear the wound with suction, close the vessel with a clip, seal the rest with bipolar forceps"),
+    QT_TRANSLATE_NOOP("data", "Cut a branch of the portal vein; clear the wound with suction, close the vessel with a clip, seal the rest with bipolar forceps"),
     QT_TRANSLATE_NOOP("data", "Part of a left lateral sectionectomy"),
     QT_TRANSLATE_NOOP("data", "Clamp the inflow, bare the vessels with the aspirator, clip and divide them, coagulate what bleeds"),
     QT_TRANSLATE_NOOP("data", "Clip and divide"),

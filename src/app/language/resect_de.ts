@@ -168,10 +168,6 @@
         <translation>Eine Blutung wird gestillt</translation>
     </message>
     <message>
-        <source>Clear the wound with suction, close the vessel with a clip, seal the rest with bipolar forceps</source>
-        <translation>Die Wunde mit dem Sauger freiräumen, das Gefäß mit einem Clip verschließen, den Rest mit der bipolaren Pinzette versiegeln</translation>
-    </message>
-    <message>
         <source>Part of a left lateral sectionectomy</source>
         <translation>Teil einer linkslateralen Sektionektomie</translation>
     </message>
@@ -466,6 +462,10 @@
     <message>
         <source>Suck the blood away, or press a swab on it, where it hides the wound.</source>
         <translation>Saugen Sie das Blut ab, wo es die Wunde verdeckt, oder drücken Sie ein Tuch darauf.</translation>
+    </message>
+    <message>
+        <source>Cut a branch of the portal vein; clear the wound with suction, close the vessel with a clip, seal the rest with bipolar forceps</source>
+        <translation>Schneiden Sie einen Ast der Pfortader an; saugen Sie die Wunde frei, verschließen Sie das Gefäß mit einem Clip, den Rest mit der bipolaren Pinzette</translation>
     </message>
 </context>
 <context>
@@ -2754,10 +2754,6 @@
         <translation>linke Taste halten: es arbeitet</translation>
     </message>
     <message>
-        <source>A clip was placed on a vessel that does not bleed</source>
-        <translation>Ein Clip wurde auf ein Gefäß gesetzt, das nicht blutet</translation>
-    </message>
-    <message>
         <source>Air drawn in</source>
         <translation>Angesaugte Luft</translation>
     </message>
@@ -3846,10 +3842,6 @@
         <translation>Der Patient hat %1 ml verloren, %2 % des Blutes: Blutverlust der Klasse %3 von 4</translation>
     </message>
     <message>
-        <source>The scenario has ended: %1 ml of blood lost, %2 ml/min bleed now. </source>
-        <translation>Das Szenario ist zu Ende: %1 ml Blut verloren, %2 ml/min bluten jetzt. </translation>
-    </message>
-    <message>
         <source>The scenario has ended. </source>
         <translation>Das Szenario ist zu Ende. </translation>
     </message>
@@ -3866,16 +3858,56 @@
         <translation>Alles Blut, das die Gefäße verlassen hat, und sein Anteil am Blut des Patienten</translation>
     </message>
     <message>
-        <source>The debrief with its pictures is being written</source>
-        <translation>Die Auswertung mit ihren Bildern wird geschrieben</translation>
-    </message>
-    <message>
         <source>No clip was placed: this organ has no vessels</source>
         <translation>Kein Clip wurde gesetzt: dieses Organ hat keine Gefäße</translation>
     </message>
     <message>
         <source>there is nothing for it to close, since this organ has no vessels</source>
         <translation>hier gibt es nichts zu verschließen, da dieses Organ keine Gefäße hat</translation>
+    </message>
+    <message>
+        <source>A clip was placed on the %1 of %2 mm, which did not bleed</source>
+        <translation>Ein Clip wurde gesetzt: %1 von %2 mm; das Gefäß blutete nicht</translation>
+    </message>
+    <message>
+        <source>Report being written ...</source>
+        <translation>Bericht wird geschrieben ...</translation>
+    </message>
+    <message>
+        <source>The debrief with its pictures takes about as long as the attempt</source>
+        <translation>Die Auswertung mit ihren Bildern dauert etwa so lange wie der Versuch</translation>
+    </message>
+    <message>
+        <source>Practised; the next attempt counts</source>
+        <translation>Geübt; der nächste Versuch zählt</translation>
+    </message>
+    <message>
+        <source>point at a vessel; hold the left button down half a second: it clips</source>
+        <translation>auf ein Gefäß zeigen; linke Taste eine halbe Sekunde halten: der Clip wird gesetzt</translation>
+    </message>
+    <message>
+        <source>point at a vessel or a raw surface; hold the left button down 2 s: they seal</source>
+        <translation>auf ein Gefäß oder eine Wundfläche zeigen; linke Taste 2 s halten: sie verschließt</translation>
+    </message>
+    <message>
+        <source>The scenario has ended: %1 ml of blood lost; bleeding now: %2 ml/min, %3. </source>
+        <translation>Das Szenario ist zu Ende: %1 ml Blut verloren; Blutung jetzt: %2 ml/min, %3. </translation>
+    </message>
+    <message>
+        <source>Inflow</source>
+        <translation>Einstrom</translation>
+    </message>
+    <message>
+        <source>Whether the clamp closes the inflow of the liver, and for how long it has in all</source>
+        <translation>Ob die Klemme den Einstrom der Leber verschließt, und wie lange insgesamt</translation>
+    </message>
+    <message>
+        <source>closed, %1 s</source>
+        <translation>verschlossen, %1 s</translation>
+    </message>
+    <message>
+        <source>open (was closed %1 s)</source>
+        <translation>offen (war %1 s verschlossen)</translation>
     </message>
 </context>
 </TS>

@@ -32,6 +32,8 @@ QString bloodText(double bled) {
   return share < 1 ? millilitres(bled) : Words::tr("%1 (%2 %)").arg(millilitres(bled)).arg(share);
 }
 
+}  // namespace
+
 // The VIBe grade in words: its number says nothing to somebody who does not know the scale.
 QString gradeText(double bleedingRate) {
   const int grade = bleedingGrade(bleedingRate);
@@ -43,8 +45,6 @@ QString gradeText(double bleedingRate) {
   const bool known = grade == 0 || grade == 4;  // the ends of the scale need no number
   return known ? name : Words::tr("%1 (%2 of 4)").arg(name).arg(grade);
 }
-
-}  // namespace
 
 OperationPanel::OperationPanel(QWidget* parent)
     : QWidget(parent), form_(new QFormLayout(this)), title_(new QLabel), task_(new QLabel) {
@@ -69,6 +69,10 @@ OperationPanel::OperationPanel(QWidget* parent)
                   Words::tr("Grade of the present bleeding on the VIBe scale, by its rate"));
   air_ = addRow(Words::tr("Air drawn in"),
                 Words::tr("Air that open hepatic veins have drawn in; 200 to 300 ml kill"));
+  inflow_ = addRow(
+      Words::tr("Inflow"),
+      Words::tr(
+          "Whether the clamp closes the inflow of the liver, and for how long it has in all"));
   clips_ = addRow(Words::tr("Clips"), Words::tr("Clips on vessels"));
   removed_ = addRow(Words::tr("Removed"), Words::tr("Tissue taken out"));
   pieces_ =
@@ -120,7 +124,11 @@ void OperationPanel::follow(const LiveState& state, int held) {
                    : QString());
   set(grade_, state.bleeds && !state.showing ? gradeText(state.bleedingRate) : QString());
   set(air_, state.air > 0 ? millilitres(state.air) : QString());
-  set(clips_, state.clips > 0 ? QString::number(state.clips) : QString());
+  set(inflow_, state.clampedTime > 0 ? (state.inflowClamped ? Words::tr("closed, %1 s")
+                                                            : Words::tr("open (was closed %1 s)"))
+                                           .arg(state.clampedTime, 0, 'f', 0)
+                                     : QString());
+  set(clips_, state.clips.empty() ? QString() : QString::number(state.clips.size()));
   set(removed_, millilitres(state.removedVolume));
   const std::int64_t pieces = state.ledger ? state.ledger->pieces() : 0;
   set(pieces_, pieces > 0 ? (pieces == 1 ? Words::tr("%1 piece, %2") : Words::tr("%1 pieces, %2"))

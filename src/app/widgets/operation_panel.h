@@ -13,6 +13,9 @@ class QFormLayout;
 
 namespace resect {
 
+// The grade of a bleeding on the VIBe scale, in words: "severe (3 of 4)". bleedingRate: m^3/s.
+QString gradeText(double bleedingRate);
+
 class OperationPanel : public QWidget {
  public:
   explicit OperationPanel(QWidget* parent = nullptr);
@@ -35,8 +38,8 @@ class OperationPanel : public QWidget {
 
   QFormLayout* form_;
   QLabel *title_, *task_;
-  Row time_, blood_, bleeding_, grade_, air_, clips_, removed_, pieces_, cut_, margin_, force_,
-      most_;
+  Row time_, blood_, bleeding_, grade_, air_, clips_, inflow_, removed_, pieces_, cut_, margin_,
+      force_, most_;
   std::vector<QString> tools_;
   double frameRate_ = 60;
 };

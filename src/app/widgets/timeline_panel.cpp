@@ -242,7 +242,10 @@ void TimelinePanel::begin(const std::vector<QString>& tools, double frameRate) {
   frameRate_ = frameRate;
   branch_ = frame_ = end_ = 0;
   asked_ = -1;
+  showing_ = false;
+  speed_ = 0;
   listBranches();
+  describe();
 }
 
 void TimelinePanel::follow(const LiveState& state, bool showing, bool answered) {
@@ -260,6 +263,12 @@ void TimelinePanel::follow(const LiveState& state, bool showing, bool answered) 
   if (answered) asked_ = -1;
   end_ = std::max(timeline_->courses[std::size_t(branch_)].end, frame_);
   if (fresh || before != timeline_->courses.size()) listBranches();
+  memory_->setText(QString("%1 MB").arg(double(state.historyBytes) / (1 << 20), 0, 'f', 0));
+  describe();
+}
+
+// In words, and in the bar, where the operation is.
+void TimelinePanel::describe() {
   time_->setText(
       Words::tr("%1 of %2")
           .arg(clockText(double(frame_) / frameRate_), clockText(double(end_) / frameRate_)));
@@ -273,7 +282,6 @@ void TimelinePanel::follow(const LiveState& state, bool showing, bool answered) 
                      : Words::tr("Paused: take an instrument to go on"));
   hint_->setToolTip(hint_->text());
   goOn_->setText(frame_ < end_ ? Words::tr("Go on from here") : Words::tr("Go on"));
-  memory_->setText(QString("%1 MB").arg(double(state.historyBytes) / (1 << 20), 0, 'f', 0));
   bar_->update();
 }
 

@@ -61,6 +61,7 @@ class TimelinePanel : public QWidget {
  private:
   friend class TimelineBar;
   void listBranches();
+  void describe();
   static bool isListed(const Timeline::Course& course);
   // Those listed branches that begin at a moment on the course of the branch that is shown.
   std::vector<const Timeline::Course*> branchesBeside() const;

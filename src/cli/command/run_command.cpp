@@ -195,8 +195,9 @@ void addRunCommand(Command app) {
       "Another organ: model or file of particles, or a built-in one: " + builtInOrgans());
   command.option("--without", options->without,
                  "Instruments of the scenario that stay on the tray, to see what they do");
-  command.flag("--strict", options->strict,
-               "Exit status 1 if an instrument met no organ, or the title is not true of the run");
+  command.flag(
+      "--strict", options->strict,
+      "Exit status 1 if an instrument met no organ, or the run is not as the scenario is meant");
   auto organ = addOrganOptions(command);
   addBreathingOption(command, options->breathing);
   addThreadsOption(command, options->threads);

@@ -34,7 +34,7 @@ std::vector<std::string> dangersOf(const BloodSummary& blood) {
   constexpr std::array kRoman = {"I", "II", "III", "IV"};
   if (const int grade = haemorrhageClass(bled); grade > 1)
     sentences.push_back(
-        fmt::format("{:.0f} ml of blood are lost, {:.0f} % of all: haemorrhage of class {}",
+        fmt::format("{:.0f} ml of blood are lost, {:.1f} % of all: haemorrhage of class {}",
                     1e6 * bled, 100 * bled / Circulation{}.volume, kRoman.at(grade - 1)));
   if (blood.air > kBorneAir)
     sentences.push_back(fmt::format(

@@ -23,9 +23,17 @@ void noteBlood(LiveState& state, const Simulation& simulation, const StepReport&
   state.bleedingEnds = bleedingEnds(simulation);
   state.air = simulation.blood().air();
   followBlood(simulation, state.bloody);
-  state.clips = 0;
-  for (const OperatedOrgan& o : simulation.organs())
-    for (const VesselClip& clip : o.organ.vessels.clips) state.clips += clip.byHeat ? 0 : 1;
+  state.clips.clear();
+  state.inflowClamped = false, state.clampedTime = 0;
+  for (std::size_t o = 0; o < simulation.organs().size(); ++o) {
+    const Organ& organ = simulation.organs()[o].organ;
+    state.inflowClamped = state.inflowClamped || organ.vessels.inflowClamped;
+    state.clampedTime = std::max(state.clampedTime, organ.vessels.clampedTime);
+    for (const VesselClip& clip : organ.vessels.clips)
+      if (!clip.byHeat)
+        state.clips.push_back({std::int32_t(o), clip.segment,
+                               organ.map->anatomy.segments[std::size_t(clip.segment)].radius});
+  }
 }
 
 }  // namespace

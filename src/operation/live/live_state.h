@@ -19,6 +19,14 @@
 
 namespace resect {
 
+// A segment of an organ's vessels.
+struct VesselPlace {
+  std::int32_t organ = 0, segment = -1;
+  double radius = 0;  // m
+
+  bool operator==(const VesselPlace&) const = default;
+};
+
 // The state after the newest frame.
 struct LiveState {
   std::int64_t frame = 0;
@@ -50,7 +58,9 @@ struct LiveState {
   double air = 0;                           // volume of air drawn into hepatic veins so far, m^3
   double bloodTime = 0;                     // simulated time of bled and bleedingRate, s
   std::vector<BleedingEnd> bleedingEnds;    // vessels' ends that bleed
-  int clips = 0;                            // number of clips on vessels
+  std::vector<VesselPlace> clips;           // vessels with clips, one entry per clip
+  bool inflowClamped = false;               // whether the inflow is clamped now
+  double clampedTime = 0;                   // for how long it has been clamped in all, s
   std::shared_ptr<const LooseBlood> loose;  // blood on no organ; null: none
   std::shared_ptr<const BareVessels> bare;  // null: no bare vessels and no clips
   SmokePlume smoke;

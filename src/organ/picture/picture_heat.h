@@ -9,7 +9,8 @@
 namespace resect {
 
 // How far the tissue round the heated spots is coagulated and burnt (TissueMap). The map has no
-// texels if there are no heated spots. Cost: proportional to the volume of the box round these spots.
+// texels if there are no heated spots. Cost: proportional to the volume of the box round these
+// spots.
 std::shared_ptr<const TissueMap> pictureHeat(const OperatedOrgan& organ);
 
 }  // namespace resect

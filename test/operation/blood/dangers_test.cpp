@@ -21,7 +21,7 @@ TEST_CASE("nothing is dangerous after a small loss; the end's bleeding, the loss
   CHECK(
       told[0] ==
       "at the end 60 ml/min bleed, grade 4 of 4, most of it from the left hepatic vein of 4.2 mm");
-  CHECK(told[1] == "1600 ml of blood are lost, 32 % of all: haemorrhage of class III");
+  CHECK(told[1] == "1600 ml of blood are lost, 32.0 % of all: haemorrhage of class III");
   CHECK(haemorrhageClass(740e-6) == 1);
   CHECK(haemorrhageClass(760e-6) == 2);
   CHECK(haemorrhageClass(2100e-6) == 4);
