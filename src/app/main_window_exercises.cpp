@@ -9,7 +9,6 @@
 #include <QUrl>
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "app/exercise/attempt_folder.h"
 #include "app/exercise/exercise_panel.h"
@@ -26,7 +25,6 @@
 #include "record/course.h"
 #include "record/file/recording_file.h"
 #include "skills/class/history.h"
-#include "skills/report/report_json.h"
 #include "skills/report/task_page.h"
 #include "skills/score/verdict.h"
 
@@ -321,8 +319,7 @@ std::optional<AttemptResult> MainWindow::resultNow(const AttemptScorer::Attempt&
                       history.hasTried(done->learner, done->scenario);
   const Scored scored = score(std::move(*done), {}, graded);
   history.keep(historyEntry(scored, scoreKey(attempt.recording, {}, {})));
-  const std::string json = nlohmann::ordered_json::array({toJson(scored)}).dump();
-  return readResult(QByteArray::fromStdString(json));
+  return resultOf(scored);
 }
 
 void MainWindow::showResult(const AttemptResult& result) {

@@ -1,10 +1,12 @@
 #include "app/exercise/attempt_scorer.h"
 
 #include <unistd.h>
+
 #include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
 #include <cmath>
 
 namespace resect {
@@ -36,9 +38,34 @@ std::optional<AttemptResult> readResult(const QByteArray& json) {
   return result;
 }
 
+AttemptResult resultOf(const Scored& scored) {
+  const Verdict& verdict = scored.verdict;
+  AttemptResult result{verdict.passed,
+                       verdict.graded,
+                       QString::fromStdString(verdict.reason),
+                       verdict.score,
+                       {},
+                       {},
+                       {}};
+  for (const Measured& one : scored.measures)
+    if (one.instrument.empty()) result.measures.push_back(one);
+  for (const std::string& one : verdict.good) result.good << QString::fromStdString(one);
+  for (const Deduction& one : verdict.deductions)
+    result.evidence.push_back({one.time, QString::fromStdString(one.fact),
+                               QString::fromStdString(one.question),
+                               QString::fromStdString(one.next)});
+  return result;
+}
+
 bool agree(const AttemptResult& a, const AttemptResult& b) {
+  constexpr double kSame = 0.02;  // s, and a score: files have six significant digits
+  const auto sameFault = [](const Evidence& x, const Evidence& y) {
+    return x.fact == y.fact && x.question == y.question && x.next == y.next &&
+           std::abs(x.time.value_or(-1) - y.time.value_or(-1)) < kSame;
+  };
   return a.passed == b.passed && a.graded == b.graded && a.reason == b.reason &&
-         std::abs(a.score - b.score) < 1e-6 && a.good == b.good && a.evidence == b.evidence;
+         std::abs(a.score - b.score) < kSame && a.good == b.good &&
+         std::ranges::equal(a.evidence, b.evidence, sameFault);
 }
 
 AttemptScorer::~AttemptScorer() {

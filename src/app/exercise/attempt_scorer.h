@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "skills/score/measures.h"
+#include "skills/score/verdict.h"
 
 namespace resect {
 
@@ -19,8 +20,6 @@ namespace resect {
 struct Evidence {
   std::optional<double> time;  // s from the start of the recording
   QString fact, question, next;
-
-  bool operator==(const Evidence&) const = default;
 };
 
 struct AttemptResult {
@@ -65,6 +64,8 @@ class AttemptScorer {
   std::unique_ptr<QProcess> process_;            // null: none
   std::vector<std::unique_ptr<QProcess>> left_;  // by leave()
 };
+
+AttemptResult resultOf(const Scored& scored);
 
 // Whether both give the same verdict, for the same reasons.
 bool agree(const AttemptResult& a, const AttemptResult& b);
