@@ -41,8 +41,8 @@ const BleedingEnd* mostStopped(const std::vector<BleedingEnd>& before,
 }
 
 // A clip that was not there before; null: none. Both lists are sorted in the same way.
-const VesselPlace* newClip(const std::vector<VesselPlace>& before,
-                           const std::vector<VesselPlace>& now) {
+const ClippedVessel* newClip(const std::vector<ClippedVessel>& before,
+                             const std::vector<ClippedVessel>& now) {
   for (std::size_t i = 0; i < now.size(); ++i)
     if (i >= before.size() || now[i] != before[i]) return &now[i];
   return nullptr;
@@ -121,7 +121,7 @@ QString HaemostasisWatch::followClip(const LiveState& state, bool shuts, const N
   if (const BleedingEnd* end = mostStopped(endsBefore_, state.bleedingEnds, false))
     return Words::tr("A clip was placed: the %1")
         .arg(whatBled(*end, flowNow(*end, state.bleedingEnds), nameOf(end->organ, end->segment)));
-  const VesselPlace* vessel = newClip(clipsBefore_, state.clips);
+  const ClippedVessel* vessel = newClip(clipsBefore_, state.clips);
   if (!vessel) return {};  // it slipped
   return Words::tr("A clip was placed on the %1 of %2 mm, which did not bleed")
       .arg(translated(nameOf(vessel->organ, vessel->segment)))

@@ -43,7 +43,7 @@ class HaemostasisWatch {
   std::optional<double> begun_;
   // The clips on vessels, the bleeding ends, and the simulated time, s, when the jaws were last
   // open.
-  std::vector<VesselPlace> clipsBefore_;
+  std::vector<ClippedVessel> clipsBefore_;
   std::vector<BleedingEnd> endsBefore_;
   double opened_ = 0;
   // Simulated time at which a clip was placed whose effect is still to be told, s; -1: none.

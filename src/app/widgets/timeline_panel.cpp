@@ -273,9 +273,9 @@ void TimelinePanel::describe() {
       Words::tr("%1 of %2")
           .arg(clockText(double(frame_) / frameRate_), clockText(double(end_) / frameRate_)));
   play_->setText(speed_ > 0 ? Words::tr("Stop") : Words::tr("Play"));
-  play_->setEnabled(showing && (speed_ > 0 || frame_ < end_));
-  goOn_->setEnabled(showing);
-  hint_->setText(!showing      ? QString()
+  play_->setEnabled(showing_ && (speed_ > 0 || frame_ < end_));
+  goOn_->setEnabled(showing_);
+  hint_->setText(!showing_     ? QString()
                  : asked_ >= 0 ? Words::tr("going there ...")
                  : frame_ < end_
                      ? Words::tr("Looking back: work on to go on from here; End: to the end")

@@ -19,12 +19,12 @@
 
 namespace resect {
 
-// A segment of an organ's vessels.
-struct VesselPlace {
+// A segment of vessels on which a clip sits.
+struct ClippedVessel {
   std::int32_t organ = 0, segment = -1;
   double radius = 0;  // m
 
-  bool operator==(const VesselPlace&) const = default;
+  bool operator==(const ClippedVessel&) const = default;
 };
 
 // The state after the newest frame.
@@ -58,7 +58,7 @@ struct LiveState {
   double air = 0;                           // volume of air drawn into hepatic veins so far, m^3
   double bloodTime = 0;                     // simulated time of bled and bleedingRate, s
   std::vector<BleedingEnd> bleedingEnds;    // vessels' ends that bleed
-  std::vector<VesselPlace> clips;           // vessels with clips, one entry per clip
+  std::vector<ClippedVessel> clips;         // vessels with clips, one entry per clip
   bool inflowClamped = false;               // whether the inflow is clamped now
   double clampedTime = 0;                   // for how long it has been clamped in all, s
   std::shared_ptr<const LooseBlood> loose;  // blood on no organ; null: none
