@@ -107,7 +107,8 @@ QString HaemostasisWatch::follow(const LiveState& state, Worker worker, const Na
 }
 
 QString HaemostasisWatch::followClip(const LiveState& state, bool shuts, const NameOf& nameOf) {
-  if (shuts && state.clips.size() > clipsBefore_.size()) {
+  // The moment in which the jaws are closed may be too short to be seen here.
+  if (placed_ < 0 && state.clips.size() > clipsBefore_.size()) {
     placed_ = state.time;
   } else if (shuts && worker_ == Worker::Hand) {
     if (!state.bleeds) return Words::tr("No clip was placed: this organ has no vessels");
