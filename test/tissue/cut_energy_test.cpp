@@ -13,6 +13,7 @@
 #include <numbers>
 #include <string>
 
+#include "base/random.h"
 #include "support/figures.h"
 #include "support/tissue_blocks.h"
 #include "tissue/cut_bonds.h"
@@ -277,4 +278,53 @@ TEST_CASE("a cut is the same, to the bit, on one thread and on four") {
   CHECK(one.severed == four.severed);
   CHECK(one.sum == four.sum);
   CHECK(one.work == four.work);
+}
+
+TEST_CASE("in crushed tissue, too, an edge cuts only what is near it") {
+  constexpr double kSpacing = 0.005;
+  Random random(7);
+  double farthest = 0;  // distance of a cut bond from the edge, world, m
+  std::int64_t severed = 0;
+  for (int trial = 0; trial < 30; ++trial) {
+    ElasticTissue tissue(test::solidBlock({24, 12, 12}, kSpacing, test::plainLiver()),
+                         test::weightless());
+    const Vec3 middle = tissue.lattice().box().centre();
+    const double flat = random.uniform(0.06, 0.3);
+    test::forEachCell(tissue, [&](std::int64_t c, const Vec3i& at) {
+      const Vec3 x = tissue.lattice().centre(at) - middle;
+      const Vec3 noise(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+      tissue.setDisplacement(
+          c, Vec3((flat - 1) * x.x(), 0.3 * x.y(), 0.3 * x.z()) + 0.1 * kSpacing * noise);
+      tissue.hold(c, kHeldAll);
+    });
+    const Vec3 tip = middle + Vec3(random.uniform(-0.01, 0.01), random.uniform(-0.02, 0.02),
+                                   random.uniform(-0.02, 0.02));
+    const Vec3 along(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    const std::vector<Vec3> points{Vec3::Zero(), 0.015 * along.normalized()};
+    const Vec3 normal = along.cross(Vec3::UnitX()).normalized();
+    const Vec3 way = along.normalized().cross(normal);
+    TissueStep step;
+    for (int frame = 0; frame < 8; ++frame) {
+      Pose from, to;
+      from.position = tip + 0.003 * frame * way, to.position = tip + 0.003 * (frame + 1) * way;
+      const CuttingEdge edge{points, normal, from, to};
+      Obstacle tool;
+      tool.tool = 0;
+      tool.edges = {&edge, 1};
+      moveTissue(tissue, {&tool, 1}, kFrame, step);
+      for (const TissueCut& one : step.cuts)
+        for (const TissueBond& bond : crossedBonds(tissue, tissue.lattice(), one.blade)) {
+          const Vec3 at = tissue.lattice().centre(tissue.lattice().cell(bond.cell)) +
+                          tissue.displacement(bond.cell);
+          const Vec3 off = at - to.position;
+          const double share = std::clamp(off.dot(along.normalized()), 0.0, 0.015);
+          farthest = std::max(farthest, (off - share * along.normalized()).norm());
+          tissue.sever(bond.cell, bond.direction);
+          ++severed;
+        }
+      tissue.settle();
+    }
+  }
+  CHECK(severed > 1000);
+  CHECK(farthest < 4 * kSpacing);
 }

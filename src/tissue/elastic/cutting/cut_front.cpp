@@ -14,6 +14,7 @@ namespace {
 constexpr double kStiffness = 1, kDamping = 0.5;
 constexpr double kEdgeReach = 1.5;  // spacings: how far from cells an edge is looked for
 constexpr double kHalfStep = 0.525, kOutOfTissue = 2;  // steps
+constexpr double kLongestBeyond = 1.5;                 // steps at rest
 
 // Corners of a polyline at equal distances.
 struct Along {
@@ -37,6 +38,15 @@ double lengthOf(std::span<const Vec3> points) {
   double length = 0;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) length += (points[i + 1] - points[i]).norm();
   return length;
+}
+
+// The inverse of the deformation gradient. By that of a cell that is crushed nearly flat, a cut
+// would reach far through the tissue at rest; such a cell counts as compressed to a third.
+Mat3 toRestBy(const Mat3& f) {
+  constexpr double kLeastVolume = 0.05, kLargest = 3.2;  // the latter: Frobenius norm
+  if (!(f.determinant() > kLeastVolume)) return Mat3::Identity();
+  const Mat3 inverse = f.inverse();
+  return std::min(1.0, kLargest / inverse.norm()) * inverse;
 }
 
 }  // namespace
@@ -113,7 +123,7 @@ void CutFronts::list(const RestTissue& rest, double duration, double dt,
         now.swept = now.inside = sample.cutting;
         if (sample.known) {
           const Mat3 f = now.cells.gradient + Mat3::Identity();
-          now.toRest = f.determinant() > 0.05 ? Mat3(f.inverse()) : Mat3(Mat3::Identity());
+          now.toRest = toRestBy(f);
         }
         now.cellsAt = sample.place;
         now.askedAt = now.lengthAt = Vec3::Constant(1e9);
@@ -138,7 +148,7 @@ void CutFronts::locate(const RestTissue& rest, const Vec3& point, double reach, 
   sample.known = nearest != nullptr;
   if (!nearest) return;
   const Mat3 f = gradientAt(rest.state(), nearest->cell) + Mat3::Identity();
-  now.toRest = f.determinant() > 0.05 ? Mat3(f.inverse()) : Mat3(Mat3::Identity());
+  now.toRest = toRestBy(f);
   sample.place = rest.lattice().centre(rest.state().box.cell(nearest->cell)) +
                  now.toRest * (point - nearest->place);
 }
@@ -188,7 +198,8 @@ void CutFronts::appendCuts(std::vector<TissueCut>& cuts) const {
     for (std::size_t k = 0; k < samples.size(); ++k) {
       const Sample& now = edge.samples[k];
       if (!now.swept) continue;
-      const Vec3 along = edge.step * (now.toRest * (edge.edge.to.rotation * now.tangent));
+      Vec3 along = edge.step * (now.toRest * (edge.edge.to.rotation * now.tangent));
+      along *= std::min(1.0, kLongestBeyond * edge.step / along.norm());
       // Beyond the last sample: half a step, and where the edge leaves the tissue, out of it.
       const auto beyond = [&](std::size_t other) {
         const bool leaves = other < samples.size() && !(edge.samples[other].length > 0);

@@ -8,14 +8,15 @@
 namespace resect {
 namespace {
 
-constexpr double kHandTime = 0.03;       // s
-constexpr double kLeastLean = 0.05;      // slicing makes cuts easier, but not beyond this
-constexpr double kStandsStill = 1e-5;    // m/s: below it the hand has no direction
-constexpr double kMostSlip = 0.25;       // spacings per substep
-constexpr double kLookAhead = 1.2;       // spacings: a tie needs a bond so near ahead
-constexpr std::size_t kBeside = 3;       // samples: so far an edge lags as a tied neighbour does
-constexpr double kMostJump = 1;          // spacings: farther an edge is not taken to have cut
-constexpr double kOpen = 0.002;          // m: half of the gap of a cut that is open
+constexpr double kHandTime = 0.03;     // s
+constexpr double kLeastLean = 0.05;    // slicing makes cuts easier, but not beyond this
+constexpr double kStandsStill = 1e-5;  // m/s: below it the hand has no direction
+constexpr double kMostSlip = 0.25;     // spacings per substep
+constexpr double kLookAhead = 1.2;     // spacings: a tie needs a bond so near ahead
+constexpr std::size_t kBeside = 3;     // samples: so far an edge lags as a tied neighbour does
+constexpr double kFound = 1;           // spacings: a place farther from the edge is not the edge's
+constexpr double kMostJump = 1;        // spacings: farther an edge is not taken to have cut
+constexpr double kOpen = 0.002;        // m: half of the gap of a cut that is open
 constexpr double kCapsuleDepth = 0.002;  // m: over which the capsule's energy is spread
 
 // The tied sample nearest to sample k, at most kBeside samples away; the number of samples if there
@@ -114,23 +115,28 @@ bool CutFronts::tie(Pull& pull) {
   CutSample& sample = pull.sample;
   Sample& now = pull.now;
   const bool wasInside = now.inside;
+  const Vec3 before = sample.place;
   // Beside a sample that lags, the edge lags as it does.
   const std::size_t other = tiedNear(pull.front, pull.k);
+  bool found = true;
   if (other < pull.front.samples.size()) {
     const Sample& beside = pull.edge.samples[other];
-    const Vec3 place =
+    sample.place =
         pull.front.samples[other].place + beside.toRest * (pull.hand - pull.pose * beside.point);
-    if ((place - sample.place).norm() > kMostJump * pull.spacing) now.swept = false;
-    sample.place = place;
+    pull.follow();
   } else {
-    for (int step = 0; step < 2; ++step) {
+    for (int step = 0; step < 2 && !pull.lost(); ++step) {
       sample.place += now.toRest * pull.offset();
       pull.follow();
-      if (pull.lost()) return false;
     }
+    // In crushed or torn tissue the place may be elsewhere; there the edge cuts nothing.
+    found = !pull.lost() && pull.offset().norm() < kFound * pull.spacing;
   }
-  pull.follow();
-  if (pull.lost()) return false;
+  if (!found || pull.lost()) {
+    sample.known = now.swept = now.inside = false;
+    return false;
+  }
+  if ((sample.place - before).norm() > kMostJump * pull.spacing) now.swept = false;
   pull.look();
   // Where nothing holds the edge, it cuts what it passes, unless it moves back or sideways.
   const bool back = pull.inPlane.dot(pull.outwards) < -0.5 * pull.inPlane.norm();
