@@ -158,6 +158,10 @@ void MainWindow::sayHowThePatientIs(const LiveState& state) {
              .arg(std::lround(100 * state.bled / Circulation{}.volume))
              .arg(grade));
   haemorrhage_ = grade;
+  if (state.inflowClamped != clampSaid_)
+    tell(state.inflowClamped ? Words::tr("The inflow of the liver is closed")
+                             : Words::tr("The inflow of the liver is open again"));
+  clampSaid_ = state.inflowClamped;
 }
 
 // In the line below the picture.

@@ -227,6 +227,7 @@ class MainWindow : public QMainWindow {
   bool afterExercise_ = false;  // somebody works on after the end of an exercise
   bool waitsForHand_ = false;   // no instrument was taken yet, so the time has not started
   std::vector<HaemostasisWatch> haemostasis_;  // of each instrument that closes vessels
+  bool clampSaid_ = false;                     // the inflow was clamped at the last tick
   int haemorrhage_ = 1;                        // class of haemorrhage at the last tick
   bool menuOpen_ = false;                      // a menu was open at the last tick
   // asTest_: the present exercise is a test. startedAsTest_: the exercise that is being loaded is a

@@ -85,8 +85,9 @@ QString useOf(const std::string& kind, const LiveState& state) {
                                   "point at a yellow ring or a wound; hold the left button down: "
                                   "it presses, and soaks up")},
       {"inflow_clamp",
-       QT_TRANSLATE_NOOP("window",
-                         "hold the left button down beside the liver: it shuts the inflow")},
+       QT_TRANSLATE_NOOP(
+           "window",
+           "hold the left button down beside the liver: it closes the inflow, or opens it again")},
       {"pencil", QT_TRANSLATE_NOOP("window",
                                    "press the left button and draw: it cuts, and seals what it "
                                    "cuts slowly; P coagulates only")},

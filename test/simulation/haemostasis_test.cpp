@@ -210,7 +210,7 @@ TEST_CASE("bipolar forceps seal a cut vein while their tips are closed, and only
   CHECK(simulation.organ().heat.coagulated(place) > 0.9);
 }
 
-TEST_CASE("a clamp shuts the inflow at the hilum, until it is opened there") {
+TEST_CASE("a clamp shuts the inflow at the hilum, until it is opened or closed there again") {
   Simulation simulation = block(list(instrument("inflow_clamp", true)));
   const Vec3 hilum(-0.01, kHeight, kDepth), elsewhere(0.05, 0.2, kDepth);
   const auto squeeze = [&](const Vec3& place, std::initializer_list<double> squeezes) {
@@ -222,7 +222,8 @@ TEST_CASE("a clamp shuts the inflow at the hilum, until it is opened there") {
   CHECK(squeeze(hilum, {0, 0.6, 1, 1, 1}));
   CHECK(simulation.organ().vessels.clampedTime == doctest::Approx(3.0 / 60));
   CHECK(squeeze(elsewhere, {1, 0.3}));
-  CHECK(squeeze(hilum, {0.3, 1}));
+  CHECK_FALSE(squeeze(hilum, {0.3, 1}));  // a hand that had let go takes it off
+  CHECK(squeeze(hilum, {0, 1}));
   CHECK_FALSE(squeeze(hilum, {1, 0.4}));
 }
 

@@ -2734,10 +2734,6 @@
         <translation>auf einen gelben Ring oder eine Wunde zeigen; linke Taste halten: er drückt und saugt auf</translation>
     </message>
     <message>
-        <source>hold the left button down beside the liver: it shuts the inflow</source>
-        <translation>linke Taste neben der Leber halten: sie sperrt den Zufluss</translation>
-    </message>
-    <message>
         <source>press the left button and draw: it cuts, and seals what it cuts slowly; P coagulates only</source>
         <translation>linke Taste drücken und ziehen: er schneidet und versiegelt, was er langsam schneidet; P koaguliert nur</translation>
     </message>
@@ -3908,6 +3904,18 @@
     <message>
         <source>open (was closed %1 s)</source>
         <translation>offen (war %1 s verschlossen)</translation>
+    </message>
+    <message>
+        <source>The inflow of the liver is closed</source>
+        <translation>Der Einstrom der Leber ist verschlossen</translation>
+    </message>
+    <message>
+        <source>The inflow of the liver is open again</source>
+        <translation>Der Einstrom der Leber ist wieder offen</translation>
+    </message>
+    <message>
+        <source>hold the left button down beside the liver: it closes the inflow, or opens it again</source>
+        <translation>linke Taste neben der Leber halten: sie verschließt den Einstrom oder öffnet ihn wieder</translation>
     </message>
 </context>
 </TS>

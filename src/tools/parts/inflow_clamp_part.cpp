@@ -29,10 +29,11 @@ void InflowClampPart::act(const Touch& touch, std::vector<TissueEdit>& edits) co
   if (!touch.organ.map) return;
   const double before = touch.way.from.squeeze, now = touch.way.to.squeeze;
   const bool shuts = before < kShut && now >= kShut, opens = before > kOpen && now <= kOpen;
-  if (shuts == touch.organ.vessels.inflowClamped && !opens) return;
-  if (!shuts && !(opens && touch.organ.vessels.inflowClamped)) return;
+  const bool clamped = touch.organ.vessels.inflowClamped;
+  if (!shuts && !(opens && clamped)) return;
+  // A clamp that was left there and closes again is taken off.
   if (fromTrunk(touch, touch.way.to.pose * touch.model.tip) <= kClampReach)
-    edits.push_back(touch.edit(ClampInflow{shuts}));
+    edits.push_back(touch.edit(ClampInflow{shuts && !clamped}));
 }
 
 }  // namespace resect
