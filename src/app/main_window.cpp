@@ -152,13 +152,14 @@ void MainWindow::sayWhatIsClosed(const LiveState& state) {
 
 void MainWindow::sayHowThePatientIs(const LiveState& state) {
   const int grade = haemorrhageClass(state.bled);
-  if (grade > haemorrhage_ && grade > 1)
+  const bool now = !state.showing;  // not of an earlier moment
+  if (now && grade > haemorrhage_ && grade > 1)
     tell(Words::tr("The patient has lost %1 ml, %2 % of the blood: haemorrhage of class %3 of 4")
              .arg(1e6 * state.bled, 0, 'f', 0)
              .arg(std::lround(100 * state.bled / Circulation{}.volume))
              .arg(grade));
   haemorrhage_ = grade;
-  if (state.inflowClamped != clampSaid_)
+  if (now && state.inflowClamped != clampSaid_)
     tell(state.inflowClamped ? Words::tr("The inflow of the liver is closed")
                              : Words::tr("The inflow of the liver is open again"));
   clampSaid_ = state.inflowClamped;

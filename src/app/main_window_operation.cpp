@@ -193,6 +193,8 @@ bool MainWindow::begin(OrganLoader::Result result) {
   overlay_->update();
   heldSaid_ = -2;
   haemostasis_.clear();
+  clampSaid_ = false;
+  haemorrhage_ = 1;
   for (std::size_t i = 0; i < session_->toolModels().size(); ++i)
     if (const ToolModel& tool = session_->toolModels()[i]; HaemostasisWatch::watches(tool))
       haemostasis_.emplace_back(int(i), tool);

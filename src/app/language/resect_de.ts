@@ -3891,11 +3891,11 @@
     </message>
     <message>
         <source>Inflow</source>
-        <translation>Einstrom</translation>
+        <translation>Zufluss</translation>
     </message>
     <message>
         <source>Whether the clamp closes the inflow of the liver, and for how long it has in all</source>
-        <translation>Ob die Klemme den Einstrom der Leber verschließt, und wie lange insgesamt</translation>
+        <translation>Ob die Klemme den Zufluss der Leber verschließt, und wie lange insgesamt</translation>
     </message>
     <message>
         <source>closed, %1 s</source>
@@ -3907,15 +3907,15 @@
     </message>
     <message>
         <source>The inflow of the liver is closed</source>
-        <translation>Der Einstrom der Leber ist verschlossen</translation>
+        <translation>Der Zufluss der Leber ist verschlossen</translation>
     </message>
     <message>
         <source>The inflow of the liver is open again</source>
-        <translation>Der Einstrom der Leber ist wieder offen</translation>
+        <translation>Der Zufluss der Leber ist wieder offen</translation>
     </message>
     <message>
         <source>hold the left button down beside the liver: it closes the inflow, or opens it again</source>
-        <translation>linke Taste neben der Leber halten: sie verschließt den Einstrom oder öffnet ihn wieder</translation>
+        <translation>linke Taste neben der Leber halten: sie verschließt den Zufluss oder öffnet ihn wieder</translation>
     </message>
 </context>
 </TS>
