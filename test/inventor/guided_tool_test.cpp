@@ -156,6 +156,31 @@ TEST_CASE(
   bench.release(bench.onOrgan(-10, 10));
 }
 
+TEST_CASE("a stroke that begins beside the organ cuts as one that begins on it") {
+  std::vector<double> areas;
+  for (const bool beside : {false, true}) {
+    Bench bench;
+    // Down from the far rim, which is seen against the room.
+    const SbVec2s to = bench.onOrgan(0, -20);
+    SbVec2s rim = bench.onOrgan();
+    const auto onTable = [&] {
+      const auto under = bench.session->pointUnder(rim, bench.viewport);
+      return !under || under->point.y() < 1e-6;
+    };
+    while (!onTable() && rim[1] < 480) ++rim[1];
+    const SbVec2s from(rim[0], short(rim[1] + (beside ? 12 : -12)));
+    bench.take(kScalpel, from);
+    bench.press(from);
+    bench.draw(from, to);
+    bench.release(to);
+    bench.waitSeconds(1);
+    areas.push_back(bench.cutArea());
+  }
+  MESSAGE("cut: ", 1e4 * areas[0], " and ", 1e4 * areas[1], " cm^2");
+  CHECK(areas[0] > 3e-4);
+  CHECK(areas[1] > 0.8 * areas[0]);
+}
+
 TEST_CASE("an instrument moves no faster than a hand while it works") {
   Bench bench;
   const SbVec2s from = bench.onOrgan(-40, 0), to = bench.onOrgan(40, 0);
@@ -205,7 +230,7 @@ TEST_CASE("a hook left holding holds while the scalpel cuts; taken again, it let
   CHECK(bench.tools().held() == -1);
   CHECK(bench.tools().isLeft(kHook));
   bench.release(to);
-  bench.waitSeconds(1.1);
+  bench.waitSeconds(0.3);
   const Pose left = bench.tools().pose(kHook);
   const double torn = bench.cutArea();  // by the pull
 
@@ -227,6 +252,7 @@ TEST_CASE("a hook left holding holds while the scalpel cuts; taken again, it let
   bench.session->update();
   CHECK(bench.cutArea() == torn);
   CHECK(bench.tools().isLeft(kHook));
+  CHECK(bench.tools().held() == kScalpel);
   bench.session->goOn();
   bench.waitSeconds(0.3);
   CHECK(bench.session->state().inHand[kHook]);

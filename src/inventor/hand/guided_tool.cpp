@@ -68,7 +68,10 @@ void ToolHandling::aim(const SbVec2s& pixel, const SbViewportRegion& viewport) {
   viewport_ = viewport;
   const auto at = pressing() ? pointed_.along(pixel, viewport) : pointed_.under(pixel, viewport);
   if (!at) return;
-  pointAt(hand_, *at);
+  if (pressing() && pointed_.landed())
+    landAt(hand_, *at);
+  else
+    pointAt(hand_, *at);
   seekUnder(pixel, viewport);
   notify();
 }

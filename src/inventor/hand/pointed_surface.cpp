@@ -55,7 +55,7 @@ std::optional<SurfacePoint> PointedSurface::under(const SbVec2s& pixel,
 void PointedSurface::begin(const SurfacePoint& first) {
   end();
   last_ = first;
-  reached_ = false;
+  reached_ = landed_ = false;
   for (int o = 0; o < room_.organCount(); ++o) kept_.push_back(room_.organ(o)->snapshot());
 }
 
@@ -70,6 +70,7 @@ std::optional<SurfacePoint> PointedSurface::along(const SbVec2s& pixel,
   const double depth = (last_.point - ray.origin).dot(axis) / slant;
   if (!(depth > 0)) return std::nullopt;
   const Vec3 beside = ray.at(depth);
+  const bool was = reached_;
   SurfacePoint next{beside, last_.normal};
   double nearest = reached_ ? std::max(kJump, kSlope * (beside - last_.point).norm())
                             : (beside - ray.origin).norm();
@@ -80,6 +81,7 @@ std::optional<SurfacePoint> PointedSurface::along(const SbVec2s& pixel,
     next = seenFrom(ray, *on);
     reached_ = true;
   }
+  landed_ = reached_ && !was && (next.point - last_.point).norm() > kJump;
   return last_ = next;
 }
 

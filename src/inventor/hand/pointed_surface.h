@@ -36,6 +36,9 @@ class PointedSurface {
   // is at the pixel, the next point has the depth of the last point. (Depth is measured at right
   // angles to the plane of the picture.) Returns nothing if the last point is behind the camera.
   std::optional<SurfacePoint> along(const SbVec2s& pixel, const SbViewportRegion& viewport);
+  // Whether the last call of along() has brought a path that began beside the organs onto an organ,
+  // over a distance of more than 20 mm.
+  bool landed() const { return landed_; }
 
  private:
   Ray rayThrough(const SbVec2s& pixel, const SbViewportRegion& viewport) const;
@@ -44,6 +47,7 @@ class PointedSurface {
   std::vector<std::pair<SurfaceCopy, TriangleBlocks>> kept_;  // copies that begin() has made
   SurfacePoint last_;                                         // last point of the path
   bool reached_ = false;                                      // the path has been on an organ
+  bool landed_ = false;
 };
 
 }  // namespace resect

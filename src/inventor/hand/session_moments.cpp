@@ -85,14 +85,15 @@ void OperatingSession::leave() {
 void OperatingSession::followMoment() {
   following_ = true;
   const bool guided = tools_.usual() == ToolHandling::Hold::Guided;
-  // Guided tools that stood still at work had been left; the one that moved was in the hand. If
-  // none did, the hand keeps what it has, which may have hovered.
+  // The hand keeps the guided tool that it has, which may have hovered in that moment; other tools
+  // that worked are left at work. An empty hand takes the tool that moved.
   int inHand = guided ? tools_.held() : -1;
   std::vector<std::uint8_t> left(state_.played.size());
   for (std::size_t i = 0; i < state_.played.size(); ++i) {
     room().setToolPose(int(i), state_.played[i].pose);
     if (!state_.played[i].inHand) continue;
-    left[i] = guided && !state_.moved[i];
+    const bool mayBeInHand = tools_.held() < 0 || tools_.held() == int(i);
+    left[i] = guided && !(state_.moved[i] && mayBeInHand);
     if (!left[i]) inHand = int(i);
   }
   if (inHand >= 0 && left[std::size_t(inHand)]) inHand = -1;

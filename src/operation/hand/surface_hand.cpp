@@ -103,16 +103,25 @@ void pointAt(SurfaceHand& hand, const SurfacePoint& at) {
   hand.at = at;
   const double length = way.norm();
   hand.up = (hand.up + (1 - math::exp(-length / kUpWay)) * (at.normal - hand.up)).normalized();
+  const double before = hand.way;  // a quick hand passes kStraight at once
   if (hand.pressing) hand.way += length;
   const Vec3 flat = way - way.dot(hand.up) * hand.up;
-  const bool starts = hand.pressing && hand.style.headsForWay && hand.way < kStraight;
+  const bool starts = hand.pressing && hand.style.headsForWay && before < kStraight;
   if (starts && flat.norm() > kStill) {
     // The first millimetres decide, those after them correct.
-    const double share = hand.way - length < kStart ? 1 : 0.5;
+    const double share = before < kStart ? 1 : 0.5;
     hand.heading += share * (flat.normalized() - hand.heading);
   } else {
     follow(hand, flat, hand.pressing ? hand.style.turnPressing : hand.style.turnHovering);
   }
+  hand.heading = alongSurface(hand.heading, hand.up);
+}
+
+void landAt(SurfaceHand& hand, const SurfacePoint& at) {
+  hand.pointing = true;
+  hand.at = at;
+  hand.up = at.normal;
+  hand.way = 0;
   hand.heading = alongSurface(hand.heading, hand.up);
 }
 

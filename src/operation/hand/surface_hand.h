@@ -53,6 +53,9 @@ struct SurfaceHand {
 // A hand that has taken up an instrument. heading: unit; for blades, the direction of the cut.
 SurfaceHand takeUp(const HandStyle& style, const Vec3& heading);
 void pointAt(SurfaceHand& hand, const SurfacePoint& at);
+// As pointAt(), but the way to `at` is not part of the hand's path: the path begins at `at`, and
+// the heading stays as near to the present one as the surface allows.
+void landAt(SurfaceHand& hand, const SurfacePoint& at);
 void press(SurfaceHand& hand);
 void lift(SurfaceHand& hand);
 // Changes the depth by `more`, m. If the hand presses, the tip goes to the new depth at once.

@@ -71,6 +71,22 @@ TEST_CASE("a blade enters where the hand presses, goes down on its way, and cuts
   }
 }
 
+TEST_CASE("a quick stroke, whose first step is a centimetre long, cuts towards its way too") {
+  const Vec3 normal = Vec3(0.2, 1, -0.3).normalized(), way = normal.unitOrthogonal();
+  for (const Vec3& towards : {way, Vec3(-way), Vec3(normal.cross(way)), Vec3(-normal.cross(way))})
+    for (const bool beside : {false, true}) {  // beside: it begins beside the organ
+      SurfaceHand hand = takeUp(styleOf("scalpel"), Vec3::UnitZ());
+      const Vec3 start = beside ? Vec3(0.1 * towards - 0.05 * normal) : Vec3(Vec3::Zero());
+      pointAt(hand, {start, normal});
+      press(hand);
+      if (beside) landAt(hand, {Vec3::Zero(), normal});
+      CHECK(hand.way == 0);
+      for (int i = 1; i <= 5; ++i) pointAt(hand, {0.01 * i * towards, normal});
+      CHECK(hand.heading.dot(towards) > 0.99);
+      CHECK(depthOf(hand, normal) == doctest::Approx(hand.depth));
+    }
+}
+
 TEST_CASE("a blade follows a bend, but does not turn round when it is drawn back") {
   const Vec3 up = Vec3::UnitY();
   SurfaceHand hand = takeUp(styleOf("scalpel"), Vec3::UnitX());
