@@ -29,7 +29,9 @@ struct VesselSegment {
   Vec3 start = Vec3::Zero();  // the end nearer to the root, rest space, m
   Vec3 end = Vec3::Zero();    // the other end, rest space, m
   double radius = 0;          // radius of the lumen, m
-  bool leaf = false;          // whether the segment ends among the sinusoids (leaf, terminal)
+  // Whether the segment is at the end of its tree, where the capillaries begin. Such a segment is
+  // called a leaf or a terminal.
+  bool leaf = false;
 
   template <class Visitor>
   void visit(Visitor& v) {

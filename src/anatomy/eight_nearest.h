@@ -1,9 +1,9 @@
-// Finds the eight of some places that are nearest to a point.
+// Finds, in a given set of points (the places), the eight places that are nearest to a point.
 //
-// Space is divided into boxes. Each box has a list of all places that can be among the eight
-// nearest ones of a point in it. Cost of a search: 0.3 us for 1000 places spread over a liver;
-// outside all boxes, which reach 15 mm beyond the places, every place is looked at. Cost of making:
-// 20 ms.
+// Space is divided into boxes, which reach 15 mm beyond the places. Each box has a list. The list
+// contains every place that can be among the eight nearest places of some point in the box. If a
+// point lies outside all boxes, every place is examined. Cost for 1000 places spread over a liver:
+// 20 ms to make the boxes, and 0.3 us for a search inside them.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Where the borders between parts of a liver run: near hepatic veins, away from branches of the
-// portal vein, and so that each part has a usual share of the liver.
+// Finds the borders between parts of a liver. A border runs near hepatic veins and away from
+// branches of the portal vein. The volumes of the parts are close to their usual values.
 #pragma once
 
 #include <vector>
@@ -9,21 +9,24 @@
 
 namespace resect {
 
-// The share that the first of two parts has of both together: usually, and how much more or less it
-// may have.
+// The first of two neighbouring parts has a share of the volume of both parts. usual: the usual
+// share. off: the largest allowed difference from the usual share.
 struct PartShare {
   double usual = 0.5, off = 0.5;
 };
 
-// Of two parts side by side, the right one is the first. The border is a half-plane from the axis.
-// The result is its angle (LiverFrame::angle()). angles: those of the portal terminals in both
-// parts.
+// The border between two parts side by side. The first part is the right one. The border is a
+// half-plane that begins at the axis of the frame. The result is the angle of the half-plane
+// (LiverFrame::angle()). angles: angles of the portal vein's terminals (the ends of its tree) in
+// both parts.
 double bestPlane(const Anatomy& anatomy, const LiverFrame& frame, std::vector<double> angles,
                  const PartShare& share);
 
-// Of two parts one above the other, the lower one is the first. The border is the level of the
-// portal vein's fork, moved up or down as little as the bounds of the share demand. The result is
-// its height (LiverFrame::height()). heights: those of the portal terminals in both parts.
+// The border between two parts one above the other. The first part is the lower one. The border is
+// a plane at right angles to the axis, at the height of the portal vein's fork. If this gives the
+// first part a share that is not allowed, the plane is moved up or down, but no farther than
+// necessary. The result is the height of the plane (LiverFrame::height()). heights: heights of the
+// portal vein's terminals in both parts.
 double bestLevel(std::vector<double> heights, const PartShare& share);
 
 }  // namespace resect

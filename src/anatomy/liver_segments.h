@@ -5,16 +5,21 @@
 // branches of the portal vein, and hepatic veins run between the segments (terms: Strasberg et al.
 // 2000, doi:10.1080/136518200750032032).
 //
-// The terminals of the portal vein are divided among the segments; each stands for the same volume
-// of the liver. The caudate, I, gets those that are nearest to the line from the place where the
-// portal vein begins to the place where the hepatic veins meet. Three half-planes from an axis near
-// the vena cava part the others into sections; they run where the right, middle and left hepatic
-// vein should be. Levels part VII from VI, VIII from V, and II from III. Where the veins leave a
-// choice, a border is chosen that gives both parts a usual share of the liver (liver_borders.h).
-// Then a branch of the portal vein nearly all of whose terminals are in one segment is given to
-// this segment as a whole. So the borders go between branches.
+// Method: the terminals of the portal vein (the ends of its tree) are divided among the eight
+// segments. Each terminal stands for the same volume of the liver. Segment I, the caudate lobe,
+// gets the terminals that are nearest to a certain line. This line runs a little behind the place
+// where the portal vein begins and the place where the hepatic veins meet.
 //
-// A point belongs to the segment of the portal terminals near it.
+// Three half-planes divide the other terminals into four sections. The half-planes begin at an axis
+// near the vena cava, and run near the right, the middle and the left hepatic vein. Planes at right
+// angles to the axis then divide three of the sections: VII is above VI, VIII above V, and II above
+// III. Each border is placed by the vessels near it and by the usual volumes of the parts on both
+// sides (liver_borders.h).
+//
+// At the end, borders are moved so that they cut fewer branches of the portal vein: if nearly all
+// terminals of a branch are in one segment, this segment gets the whole branch.
+//
+// The segment of any other point is that of the portal vein's terminals near this point.
 #pragma once
 
 #include <array>
@@ -42,17 +47,17 @@ class LiverSegments {
   static std::optional<LiverSegments> find(const Anatomy& anatomy);
 
   // The number, 1 to 8, of the Couinaud segment in which a point lies. place: in rest space, m. The
-  // eight nearest terminals of the portal vein vote; a nearer one counts more.
+  // eight nearest terminals of the portal vein vote; a nearer terminal has a larger weight.
   int at(const Vec3& place) const;
   // The name of a vessel, which says what part of the liver the vessel supplies or drains.
   // Examples: "right anterior portal vein", "portal branch of segment VI". segment: index, in the
   // anatomy, of any piece of the vessel.
   std::string nameOf(const Anatomy& anatomy, std::int32_t segment) const;
   // The Couinaud segments that a vessel supplies or drains: bit s - 1 stands for Couinaud segment
-  // s. The bit is set if more than a tenth of the vessel's terminals belong to s. It is also set if
-  // the vessel has more than half of all terminals that vessels of its kind have in s. A terminal
-  // belongs to the segment of the portal vein's terminal that is nearest to it. segment: index of a
-  // piece of the vessel.
+  // s. The bit is set if more than a tenth of the vessel's terminals belong to s. The bit is also
+  // set if the vessel has more than half of all terminals that vessels of its kind have in s. A
+  // terminal of another kind of vessel belongs to the Couinaud segment of the portal vein's
+  // terminal nearest to it. segment: index of a piece of the vessel.
   std::uint8_t territory(std::int32_t segment) const { return territory_[std::size_t(segment)]; }
   // The directions from which the segments were found.
   const LiverFrame& frame() const { return frame_; }
@@ -74,8 +79,8 @@ class LiverSegments {
   std::vector<Terminal> terminals_;
   EightNearest nearest_;  // of the terminals' ends
   std::vector<std::uint8_t> territory_;
-  // Per segment of the anatomy, the hepatic vein to which the segment belongs. 0: right; 1: middle;
-  // 2: left; -1: the segment belongs to none of these three veins.
+  // For each piece of a vessel in the anatomy, the hepatic vein to which the piece belongs. 0:
+  // right; 1: middle; 2: left; -1: none of these three veins.
   std::vector<std::int8_t> trunk_;
 };
 

@@ -35,8 +35,9 @@ struct AnatomyMeasures {
 // anatomy.
 AnatomyMeasures measure(const Anatomy& anatomy, const TriangleMesh& surface);
 
-// Distances from points of the organ, which are 2.5 mm apart, to the nearest terminal of the portal
-// vein, m. Both are 0 if there is no terminal.
+// Mean and largest distance from a point of the organ to the nearest terminal of the portal vein,
+// m. A terminal is an end of the vein's tree. The points are 2.5 mm apart. Both distances are 0 if
+// there is no terminal.
 struct TerminalDistance {
   double mean = 0, largest = 0;
 };

@@ -14,7 +14,7 @@ namespace resect {
 struct VesselMap {
   Anatomy anatomy;  // in rest space
   VesselIndex index;
-  // The segments after Couinaud; empty if they cannot be found from the vessels.
+  // Couinaud's segments of the liver; empty if they cannot be found from the vessels.
   std::optional<LiverSegments> segments;
 
   // The name of the vessel that a segment belongs to, such as "right portal vein". If Couinaud's

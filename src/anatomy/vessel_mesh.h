@@ -6,8 +6,8 @@
 
 namespace resect {
 
-// A closed prism with eight sides round each segment of the kind; prisms overlap where segments
-// meet.
+// Makes a closed prism with eight sides round each vessel segment of the kind. Prisms overlap where
+// segments meet.
 TriangleMesh vesselMesh(const Anatomy& anatomy, VesselKind kind);
 
 }  // namespace resect

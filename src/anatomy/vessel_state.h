@@ -3,8 +3,9 @@
 //
 // Cuts are computed with 19 lines in each vessel, parallel to its axis: the filaments. One filament
 // runs in the middle, six run at half the vessel's radius, and twelve at 0.87 of the radius. Each
-// filament stands for the same share of the cross-section. So a cut can open a part of the wall
-// only. A vessel with more than nine tenths of its filaments cut is severed and has two open ends.
+// filament stands for the same share of the cross-section. So a cut can also open only a part of
+// the wall. A vessel with more than nine tenths of its filaments cut is severed and has two open
+// ends.
 #pragma once
 
 #include <bit>
@@ -33,7 +34,7 @@ struct VesselInjury {
   std::uint8_t sealed = 0;  // bit 0: end towards the root is sealed; bit 1: far end is sealed
   // Per VesselEnd: flow out of this end in the last frame, m^3/s. Negative: air is drawn in.
   double flow[2] = {0, 0};
-  double bled = 0;  // blood that this injury has lost so far, m^3
+  double bled = 0;  // blood that has flowed out of this injury so far, m^3
 
   double share() const { return double(std::popcount(cut)) / kFilaments; }
   bool severed() const { return share() > kSevered; }
@@ -64,7 +65,7 @@ struct SegmentPart {
   std::int32_t segment = -1;
   std::int32_t part = kCrumb;  // number of the separated piece, from 1 on; or kCrumb
 
-  static constexpr std::int32_t kCrumb = -1;  // the segment lies in debris or in no tissue
+  static constexpr std::int32_t kCrumb = -1;  // the segment lies in a tiny piece or in no tissue
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -75,10 +76,10 @@ struct SegmentPart {
 struct VesselState {
   std::vector<VesselInjury> injuries;  // ascending by segment
   std::vector<VesselClip> clips;       // ascending by segment and share
-  std::vector<std::int32_t> bared;     // segments that are bare somewhere; ascending
-  std::vector<SegmentPart> apart;      // ascending by segment
-  bool inflowClamped = false;          // portal vein and artery are closed outside the organ
-  double clampedTime = 0;              // total time with the inflow clamped, s
+  std::vector<std::int32_t> bared;  // segments that are bare (not in tissue) somewhere; ascending
+  std::vector<SegmentPart> apart;   // ascending by segment
+  bool inflowClamped = false;       // portal vein and artery are closed outside the organ
+  double clampedTime = 0;           // total time with the inflow clamped, s
 
   const VesselInjury* injury(std::int32_t segment) const;
   // clipped(injury, end): whether a clip closes this end of an injured vessel. clipped(segment):
@@ -124,10 +125,10 @@ void divideVessel(std::int32_t segment, double share, VesselState& state,
 // of up to 7 mm diameter.
 inline constexpr double kWidestSealed = 0.0035;
 
-// Seals vessels at places where tissue is coagulated all round the lumen. Open ends of injured
-// vessels are sealed everywhere. Other vessels are closed by heat (VesselClip::byHeat) only inside
-// the box, which is in rest space. coagulated: the coagulated share, 0 to 1, of the tissue at a
-// point in rest space.
+// Seals vessels at places where tissue is coagulated all round the lumen. Vessels wider than
+// kWidestSealed are never sealed. Open ends of injured vessels are sealed inside and outside the
+// box. Other vessels are closed by heat (VesselClip::byHeat) only inside the box, which is in rest
+// space. coagulated: the coagulated share, 0 to 1, of the tissue at a point in rest space.
 void sealVessels(const Anatomy& anatomy, const VesselIndex& index, const Aabb& box,
                  const std::function<double(const Vec3&)>& coagulated, VesselState& state);
 

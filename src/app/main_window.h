@@ -203,7 +203,8 @@ class MainWindow : public QMainWindow {
   HintBar* hint_;
   OperationPanel* operation_;
   QList<QDockWidget*> traineePanels_, laboratoryPanels_;
-  std::optional<bool> laboratoryChosen_;  // whether to show the laboratory; none: not chosen yet
+  // Whether to show the laboratory (panels for developers); empty: the user has not chosen yet.
+  std::optional<bool> laboratoryChosen_;
   QMenu* instrumentMenu_;
   std::vector<QAction*> instrumentActions_;
   InstrumentsPanel* instruments_;
@@ -228,7 +229,7 @@ class MainWindow : public QMainWindow {
   bool waitsForHand_ = false;   // no instrument was taken yet, so the time has not started
   std::vector<HaemostasisWatch> haemostasis_;  // of each instrument that closes vessels
   bool clampSaid_ = false;                     // the inflow was clamped at the last tick
-  int haemorrhage_ = 1;                        // class of haemorrhage at the last tick
+  int haemorrhage_ = 1;                        // class of blood loss, 1 to 4, at the last tick
   bool menuOpen_ = false;                      // a menu was open at the last tick
   // asTest_: the present exercise is a test. startedAsTest_: the exercise that is being loaded is a
   // test.

@@ -3,8 +3,8 @@
 // waits for a whole picture.
 //
 // The picture is drawn offscreen, and only changed pixels go to the screen. A QOpenGLWidget would
-// compose the whole window for each picture. With software rendering, composing took two fifths of
-// all shading (docs/decisions/0003).
+// draw the whole window again for each picture. With software rendering, drawing the window took
+// two fifths of the time of all shading (docs/decisions/0003).
 #pragma once
 
 #include <QElapsedTimer>

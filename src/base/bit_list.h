@@ -1,5 +1,5 @@
 // Lists the indices of the set bits of a 64-bit word. The code branches only once for every eight
-// indices. So if few bits are set, the processor predicts the branches well.
+// indices, which avoids mispredicted branches if few bits are set.
 #pragma once
 
 #include <bit>
@@ -10,10 +10,9 @@ namespace resect {
 
 // For each set bit, writes the sum of `first` and the bit's index to `list`, in ascending order.
 // Returns the end of these numbers in `list`. The function may overwrite up to 8 elements beyond
-// this end. first: at most 192.
+// this end. first: at most 192, so that each sum fits into 8 bits.
 //
-// A plain loop over few set bits ends with a mispredicted branch. So this function always writes
-// eight indices at a time. It aims at four instructions per index.
+// The function always writes eight indices at a time. It aims at four instructions per index.
 [[gnu::always_inline]] inline std::uint8_t* appendSetBits(std::uint64_t word, unsigned first,
                                                           std::uint8_t* list) {
   std::uint8_t* const end = list + std::popcount(word);

@@ -20,10 +20,11 @@ void reserveFor(std::vector<T, Allocator>& array, std::size_t size) {
   wantLargePages(array.data() + array.size(), (size - array.size()) * sizeof(T));
 }
 
-// Calls array.resize(size). If the capacity is too small, it becomes size + size / 32, also in the
-// first call. A cut adds a little surface, which nearly always fits into the spare capacity.
-// Without spare capacity, a cut would copy tens of megabytes, which takes as long as a frame. New
-// elements are uninitialised; the caller writes them.
+// Calls array.resize(size). If the capacity is too small, it is first raised to size + size / 32.
+// For example, a cut through an organ adds a few triangles to the arrays of the surface. They
+// nearly always fit into the spare capacity. Without spare capacity, a cut would copy tens of
+// megabytes, which takes as long as a frame. New elements are uninitialised; the caller writes
+// them.
 template <typename T>
 void growTo(RawArray<T>& array, std::size_t size) {
   if (size > array.capacity()) reserveFor(array, size + size / 32);

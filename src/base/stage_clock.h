@@ -1,5 +1,5 @@
-// Measures how long the stages of a step take. The result is a list of durations per stage. Such a
-// list can be summarised.
+// Measures how long the stages of a time step take. Each stage has a list of durations, which can
+// be summarised.
 #pragma once
 
 #include <chrono>
@@ -23,8 +23,8 @@ struct TimeSummary {
 TimeSummary summarise(std::vector<double> values);
 
 // Measures the stages of many steps, one step after the other. Call start() at the beginning of a
-// step, and lap(NAME) at the end of each stage. A stage begins at the previous call of start() or
-// lap(). It ends at its own call of lap().
+// step, and lap(NAME) at the end of each stage. So a stage lasts from the previous call of start()
+// or lap() to the call of lap() with the stage's name.
 class StageClock {
  public:
   void start() { last_ = Clock::now(); }

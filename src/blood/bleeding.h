@@ -1,6 +1,6 @@
 // Bleeding during an operation. Blood flows out of cut vessels and cut tissue, over the organs, in
-// drops through the air, and onto the table. The ledger is exact to the picolitre: the volume that
-// flowed out equals the sum of the volumes in all places.
+// drops through the air, and onto the table. An account, the ledger, is exact to the picolitre: the
+// volume that flowed out equals the sum of the volumes in all places.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ struct BloodLedger {
   Picolitres found() const { return film + clotted + drops + pools + sucked + absorbed + lost; }
 };
 
-// An open end of a vessel, out of which blood flows, or which draws in air.
+// An open end of a vessel. Blood flows out of it, or it draws in air.
 struct BleedingEnd {
   std::int32_t organ = 0, segment = -1;
   VesselEnd end = VesselEnd::Root;
@@ -52,7 +52,7 @@ int bleedingGrade(double rate);
 class Bleeding {
  public:
   Bleeding() = default;
-  // Organs without an anatomy do not bleed.
+  // Organs without vessels (anatomy/anatomy.h) do not bleed.
   explicit Bleeding(std::span<const OperatedOrgan> organs, const Circulation& circulation = {});
   bool any() const { return any_; }
 
@@ -96,10 +96,10 @@ class Bleeding {
   struct OrganBlood {
     BloodFilm film;
     std::vector<Oozing> oozing;
-    // Pressures in the sinusoids, Pa, per part of the tissue (Oozing::part).
+    // Pressures in the sinusoids (the capillaries of the liver), Pa. The index is Oozing::part.
     std::vector<double> sinusoids;
-    // An edit may divide tissue into parts. The parts are searched for only some frames after such
-    // an edit. This is the number of frames passed since the edit; 0: no search is due.
+    // An edit may divide tissue into parts. The search for parts is delayed until some frames after
+    // the edit. This is the number of frames since the edit; 0: no search is due.
     std::int32_t unsought = 0;
     VesselFlow flow;  // set up once
 

@@ -1,9 +1,9 @@
 // Trees of vessels while they grow: nodes, their radii, and whether a segment may be added.
 //
 // Method: constrained constructive optimisation (Schreiner and Buxbaum 1993; Jessen et al. 2022 for
-// competing trees). A new terminal can be joined to each of the segments nearest to it. Joins by
-// which a vessel would leave the organ or meet another vessel are not allowed. Of the allowed
-// joins, the one that adds the least volume is made.
+// competing trees). A new terminal, that is, a new end of a tree, can be joined to one of the
+// segments nearest to it. Joins by which a vessel would leave the organ or meet another vessel are
+// not allowed. Of the allowed joins, the one that adds the least volume is made.
 #pragma once
 
 #include <array>
@@ -72,8 +72,8 @@ class GrowingVessels {
     Vec3 fork;
   };
 
-  // Radius, m, that a segment will have when its tree is fully grown. terminals: number of
-  // terminals that the segment feeds now.
+  // Radius, m, that a segment will have when its tree is fully grown. terminals: present number of
+  // terminals in the segment's subtree.
   double radius(int terminals, int kind) const;
   // Radius, m, of the segment that ends at a node, after `more` terminals have been added to the
   // segment. It is computed by radius(), unless the segment existed before the growth.
@@ -110,8 +110,9 @@ class GrowingVessels {
   std::array<int, 2> terminals_{};
   std::array<double, 2> leafRadius_{};
   double widest_ = 0;  // outer radius of the widest vessel, m
-  // Results of radius() that have been computed already: radius[n], m, for n terminals; 0: not
-  // computed yet. The results are valid as long as the kind has `grown` terminals in all.
+  // Results of radius() for one kind of vessel. radius[n]: result for n terminals, m; 0: not
+  // computed yet. The results are valid as long as all trees of the kind together have `grown`
+  // terminals.
   struct KnownRadii {
     int grown = 0;
     std::vector<double> radius;

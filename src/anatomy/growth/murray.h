@@ -1,6 +1,6 @@
-// How the radius of a vessel grows with the number n of terminals that it feeds: r ~ n^(1/2.8). The
-// exponent 1/2.8 lies between two others: 1/3 in Murray's law, and 1/2 for a constant flow speed,
-// as in large vessels.
+// How the radius r of a vessel depends on the number n of terminals (last branches) that the vessel
+// feeds: r is proportional to n^(1/2.8). The exponent 1/2.8 lies between two others: 1/3 in
+// Murray's law, and 1/2 for a constant flow speed, as in large vessels.
 #pragma once
 
 #include <cmath>

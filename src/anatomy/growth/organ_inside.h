@@ -25,6 +25,7 @@ class OrganInside {
 
   // The lattice of points, 5 mm apart; the outermost points lie outside the organ.
   const Lattice& places() const { return places_; }
+  // Depth of a point of the lattice, m. place: index of the point.
   double depthAt(std::int64_t place) const { return depths_[std::size_t(place)]; }
   // Searches the points of the lattice that are at least `depth`, m, deep, and returns the point
   // nearest to p. If no point is that deep, returns the deepest point of the lattice.

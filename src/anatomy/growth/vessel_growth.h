@@ -12,7 +12,8 @@ namespace resect {
 inline constexpr int kHepaticTrunks = 3;
 
 struct VesselGrowth {
-  // Number of terminals of the portal vein, and of all hepatic veins together; 30 to 5000.
+  // Number of terminals (ends of branches) of the portal vein, 30 to 5000. All hepatic veins
+  // together have the same number of terminals.
   int terminals = 1000;
   std::uint64_t seed = 1;
   Vec3 hilum = Vec3::Zero();     // where portal vein, artery and duct enter the organ, m

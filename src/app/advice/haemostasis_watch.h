@@ -1,4 +1,4 @@
-// Watches a clip applier or bipolar forceps, to tell the user what they have closed.
+// Watches a clip applier or bipolar forceps, to tell the user which vessels were closed.
 #pragma once
 
 #include <QString>
@@ -16,7 +16,7 @@ class HaemostasisWatch {
  public:
   // Who works with an instrument.
   enum class Worker { Nobody, Hand, Scenario };
-  // Gives the name of a vessel, for people, by its organ and segment.
+  // Returns the name of the vessel that a segment of an organ belongs to, for people.
   using NameOf = std::function<std::string(std::int32_t organ, std::int32_t segment)>;
 
   // Whether the tool closes vessels, so that it can be watched.
@@ -24,7 +24,7 @@ class HaemostasisWatch {
   // tool: its number. model: a model for which watches() is true.
   HaemostasisWatch(int tool, const ToolModel& model);
 
-  // To be called often. Returns what to say now; empty: nothing.
+  // To be called often. Returns the message to show now; empty: none.
   QString follow(const LiveState& state, Worker worker, const NameOf& nameOf);
   // How long bipolar forceps have been closed, in words; empty for other instruments.
   QString howLongClosed(const LiveState& state) const;
@@ -39,14 +39,16 @@ class HaemostasisWatch {
   Vec3 tip_;                        // in the tool's frame, m
   Worker worker_ = Worker::Nobody;  // at the last call
   bool closed_ = false;             // the jaws were closed at the last call
-  // Last squeeze of the jaws since they were open; empty if they were closed since then.
+  // Squeeze of the jaws, 0 to 1, at the last call. Empty after the jaws have closed, until they are
+  // open again.
   std::optional<double> begun_;
-  // The clips on vessels, the bleeding ends, and the simulated time, s, when the jaws were last
-  // open.
+  // The values when the jaws were last open: the clips on vessels, the bleeding ends, and the
+  // simulated time, s.
   std::vector<ClippedVessel> clipsBefore_;
   std::vector<BleedingEnd> endsBefore_;
   double opened_ = 0;
-  // Simulated time at which a clip was placed whose effect is still to be told, s; -1: none.
+  // Simulated time at which a clip was placed, s. -1: there is no clip whose effect is still to be
+  // told.
   double placed_ = -1;
 };
 

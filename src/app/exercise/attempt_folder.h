@@ -10,8 +10,8 @@
 
 namespace resect {
 
-// The folder in which attempts are kept unless the user chose another folder. Its name is
-// "attempts". It is in the same folder as recordingsFolder(), where the window keeps recordings.
+// The default folder for attempts. Its name is "attempts". It is in the same folder as
+// recordingsFolder(), where the window keeps recordings.
 std::filesystem::path usualAttemptsFolder();
 
 // Converts a text to the name of a folder, without characters that a file system might refuse. If

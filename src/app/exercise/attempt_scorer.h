@@ -44,8 +44,9 @@ class AttemptScorer {
     // practice if the task says so (Task::familiarisation).
     bool graded = true;
   };
-  // Scores the attempt and writes its debrief to `page`. `done` gets the result as soon as it is
-  // known. `written` is called when the page has been written. `failed` gets an error message.
+  // Scores the attempt and writes the report about it to `page`. `done` gets the result as soon as
+  // it is known. `written` is called when the page has been written. `failed` gets an error
+  // message.
   void score(const Attempt& attempt, std::function<void(AttemptResult)> done,
              std::function<void()> written, std::function<void(QString)> failed);
   // Writes the table of a class to `page`, in HTML. names: true: the table shows the learners'
@@ -53,8 +54,9 @@ class AttemptScorer {
   void tabulate(const std::filesystem::path& folder, const std::filesystem::path& page,
                 const std::filesystem::path& history, bool names, std::function<void()> written,
                 std::function<void(QString)> failed);
-  // Work that was begun goes on, but its functions are not called any more. score() and tabulate()
-  // do this first. Work goes on after the end of this object, too.
+  // Stops waiting for the work in progress. This work is still finished, but the functions that
+  // were given for it are no longer called. score() and tabulate() call leave() first. The work is
+  // finished even if this object is destroyed.
   void leave();
 
  private:
@@ -62,7 +64,7 @@ class AttemptScorer {
              std::function<void(QString)> failed);
 
   std::unique_ptr<QProcess> process_;            // null: none
-  std::vector<std::unique_ptr<QProcess>> left_;  // by leave()
+  std::vector<std::unique_ptr<QProcess>> left_;  // processes that leave() no longer waits for
 };
 
 AttemptResult resultOf(const Scored& scored);

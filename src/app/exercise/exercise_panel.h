@@ -24,7 +24,7 @@ class ExercisePanel : public QWidget {
   explicit ExercisePanel(QWidget* parent = nullptr);
 
   // Called when an attempt begins. guided: whether guidance may be shown. ghosts: whether the
-  // exercise has a reference run. Its instruments can be shown as ghosts
+  // exercise has a reference run, whose instruments can be shown as transparent ghosts
   // (inventor/hand/ghost_tools.h). draft: whether the user is still making the exercise.
   void begin(const QString& title, const Task& task, bool guided, bool ghosts, bool draft);
   // Shows the present figures. seconds: time of the attempt. distance: from the instrument in hand

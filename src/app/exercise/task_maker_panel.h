@@ -35,7 +35,7 @@ class TaskMakerPanel : public QWidget {
   TaskGoal::Kind kind() const;
   // The least and the largest number of places that the goal needs.
   std::pair<std::size_t, std::size_t> placesWanted() const;
-  // Whether the teacher marks a new tumour. False: he chooses a structure of the organs instead.
+  // True: the teacher marks a new tumour. False: the teacher chooses a structure of the organs.
   bool marksStructure() const;
   double structureRadius() const;  // m, of the new tumour
   double structureDepth() const;   // m, of the new tumour's centre
@@ -44,13 +44,12 @@ class TaskMakerPanel : public QWidget {
   Task task() const;
   std::string title() const;
 
-  // Adds one of the teacher's own attempts to the list, with the text `words`. The attempts that
-  // the teacher checks in the list are the references. good: whether this attempt is checked at
-  // first.
+  // Adds one of the teacher's own attempts to the list, with the text `words`. The teacher ticks
+  // the attempts that are to be the references. good: whether this attempt is ticked at first.
   void addTry(const QString& words, bool good);
   void clearTries();
-  std::vector<std::size_t> references() const;  // indices of the checked tries, ascending
-  bool bandWanted() const;                      // whether a pass must come near the references
+  std::vector<std::size_t> references() const;  // indices of the ticked attempts, ascending
+  bool bandWanted() const;  // whether figures must be near those of the references
 
   std::function<void(bool)> markingWanted;
   std::function<void()> goalChanged, lastMarkRemoved, tried, saved, closed;

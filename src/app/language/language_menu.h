@@ -8,8 +8,8 @@ class QMenu;
 
 namespace resect {
 
-// Adds the menu to `menu`. A choice is kept in the settings, and takes effect at the next start,
-// which `tell` is called with a sentence about.
+// Adds a submenu with the languages to `menu`. The user's choice is kept in the settings, and takes
+// effect at the next start of the program. `tell` is called with a sentence that says so.
 void addLanguageMenu(QMenu* menu, std::function<void(const QString&)> tell);
 
 }  // namespace resect

@@ -19,7 +19,7 @@ class OperationLoader {
     bool anew = false;  // start again from the beginning, without the recorded work
     // Go on recording, into a new file (Result::recorder). Has no effect if `anew` is true.
     bool record = true;
-    std::size_t historyBytes = 0;  // the argument `mostBytes` of operationOf()
+    std::size_t historyBytes = 0;  // largest memory for the states of earlier moments, bytes
   };
   // Loads one operation at a time; a new call abandons the loading in progress. The recording's
   // file is not changed. `progress` and `done` are called as OrganLoader::load() calls them.

@@ -18,7 +18,7 @@ struct FilePart {
   std::string name;       // for people
   std::string about;      // volume, or why there is none: "1378 ml", "open, 12 boundary edges"
   std::string file = {};  // path of the image, if it is one of a folder
-  std::optional<StructureKind> kind = {};  // kind that the name means; nothing if it means none
+  std::optional<StructureKind> kind = {};  // kind that the name stands for; empty: none
 };
 
 // The parts of a model, the labels of an image or the images of a folder.
@@ -34,9 +34,9 @@ QString imageReport(const QJsonObject& info);
 // Asks which label of an image, or which image of a folder, is the organ.
 QString organQuestion(bool folder);
 
-// How large an organ is, and whether none is so large or so small. longest: longest side of its
-// box, m. area: of its surface, m^2. volume: m^3; 0: the surface is open. cavities: whether the
-// volume includes cavities.
+// Text about the size of an organ, with a warning if the size is not that of any organ. longest:
+// longest side of the organ's bounding box, m. area: of the organ's surface, m^2. volume: m^3; 0:
+// the surface is open. cavities: whether the volume includes cavities.
 QString sizeText(double longest, double area, double volume, bool cavities);
 
 // "about 7,300 particles", with two significant digits; "" for less than one.
@@ -49,9 +49,10 @@ QString particlesText(double particles);
 // hollow organ's wall, m; 0: the organ is not hollow.
 double proposedSpacing(double usual, double volume, double wall);
 
-// Mean thickness of a hollow organ's wall; 0 if the organ is not hollow. In any unit of length: the
-// organ's volume and the area of its surface, and the volume of the cavities that are to be taken
-// from it. innerShells: whether shells of the surface bound cavities already.
+// Mean thickness of a hollow organ's wall; 0 if the organ is not hollow. The arguments may have any
+// unit of length; the result has the same unit. volume: volume of the organ. area: area of the
+// organ's surface. cavities: volume of the cavities that are to be subtracted from `volume`.
+// innerShells: whether the surface already has inner shells that bound cavities.
 double wallThickness(double volume, double area, double cavities, bool innerShells);
 
 }  // namespace resect

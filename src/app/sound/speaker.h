@@ -18,8 +18,8 @@ class Speaker : private QIODevice {
   Speaker() = default;
   ~Speaker() override { setOn(false); }
 
-  // Begins or ends to play. Returns whether the sound is on now: it cannot be if the computer has
-  // no device for sound.
+  // Turns the sound on or off. Returns whether the sound is on now. It stays off if the computer
+  // has no device for sound.
   bool setOn(bool on);
   // Plays what is heard in this state; arguments as for audibleState(). Call it often. While the
   // state's frame does not change, because the operation is paused, nothing is heard.
@@ -33,14 +33,14 @@ class Speaker : private QIODevice {
 
   std::unique_ptr<QAudioSink> sink_;
   std::unique_ptr<OperatingSound> sound_;
-  std::mutex mutex_;  // of heard_: Qt may read in a thread of its own
+  std::mutex mutex_;  // protects heard_, since Qt may call readData() in another thread
   AudibleState heard_;
-  std::int64_t frame_ = -1;  // of the last state
-  QElapsedTimer since_;      // since frame_ changed
+  std::int64_t frame_ = -1;  // frame of the last state
+  QElapsedTimer since_;      // time since frame_ changed
 };
 
-// Adds the item that turns the sound on and off, key M, to a menu. The choice is kept for the next
-// start; at first the sound is on.
+// Adds an item to a menu. The item, and the key M, turn the sound on and off. The choice is kept
+// for the next start of the program; at first the sound is on.
 void addSoundItem(QMenu* menu, Speaker& speaker);
 
 }  // namespace resect

@@ -14,7 +14,7 @@ class Banner : public QFrame {
   // Shows the sentence until the user closes it or holds() is false. Without holds(), the sentence
   // disappears 8 s after the first call of userWentOn().
   void say(const QString& sentence, std::function<bool()> holds = {});
-  void userWentOn();  // to be called when the user gave input elsewhere than to the banner
+  void userWentOn();  // to be called when the user gave input outside the banner
   // Hides the banner if its time is over. Returns whether this call hid the banner.
   bool leaves();
   // Places the banner at the top of this area of the parent, as wide as its sentence needs.

@@ -16,7 +16,8 @@ class HintBar : public QWidget {
   void say(const QString& sentence);
   // Reserves room for this number of lines, so that longer sentences do not move the picture.
   void reserve(int lines);
-  // Offers to start the operation again with cells of this side, mm; 0: offers nothing.
+  // Offers to start the operation again with larger cells. millimetres: side of a cell, mm; 0: no
+  // offer.
   void offerCells(int millimetres);
   int offered() const { return offered_; }
   QPoint buttonPlace() const;  // centre of the offer's button, in pixels of the screen

@@ -39,7 +39,7 @@ class OpenOrganDialog : public QDialog {
   OrganSource source() const;
 
   QPoint openButton() const;        // centre of the Open button, in screen coordinates
-  const PartsTable* roles() const;  // null unless the file's parts have roles
+  const PartsTable* roles() const;  // null if the user cannot give roles to parts of the file
 
   // Called after the file, or the chosen part, was examined. Gets the text that the dialog shows
   // about the file: a report or an error.

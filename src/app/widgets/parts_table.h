@@ -19,15 +19,16 @@ class PartsTable : public QTableWidget {
   // Fills the table with the parts of a file, and proposes a role for each part by its name
   // (structureKind()). A part is left out if its name tells no kind, or if it is a gallbladder.
   //
-  // If no part has the name of an organ's tissue, the following rules replace this. In an image,
-  // all labels are left out. In a model, the parts that would be left out become the organ, and the
-  // other parts keep their roles. If no part of the model would be left out, all parts become the
+  // If no part has the name of an organ's tissue, other rules apply. In an image, all labels are
+  // left out. In a model, the parts that the first rules leave out become the organ, and the other
+  // parts keep their roles. If the first rules leave out no part of the model, all parts become the
   // organ.
   void fill(const std::vector<FilePart>& parts, bool image);
   void setAbout(int row, const QString& about) { item(row, 1)->setText(about); }
   bool filled() const { return !parts_.empty(); }
 
-  // Whether any part has the role of the organ; of a folder's images, whether exactly one has it.
+  // Whether any part has the role of the organ. For the images of a folder: whether exactly one
+  // image has this role.
   bool hasOrgan() const;
   const FilePart& organ() const;  // the first one with this role; hasOrgan() must be true
   bool isCavity(int row) const;

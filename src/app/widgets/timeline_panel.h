@@ -1,5 +1,6 @@
 // The timeline of the operation: strokes, faults and branches over time. The user can show any
-// moment, play the operation from there, or operate on from there.
+// moment, and play the operation or go on operating from this moment. If the user operates from an
+// earlier moment, a new branch begins; the old branch is kept.
 #pragma once
 
 #include <QWidget>
@@ -63,7 +64,8 @@ class TimelinePanel : public QWidget {
   void listBranches();
   void describe();
   static bool isListed(const Timeline::Course& course);
-  // Those listed branches that begin at a moment on the course of the branch that is shown.
+  // The listed branches that fork off the branch that is shown, or off an earlier part of its
+  // history.
   std::vector<const Timeline::Course*> branchesBeside() const;
   void ask(std::int64_t frame);
 

@@ -1,9 +1,9 @@
 // One digest per named field of a state, cheap enough for every frame.
 //
-// With the digests two states can be compared field by field although neither state is kept. A
-// recording holds the digests of each frame. A digest that differs shows which field differs.
-// Fields with the same path, such as the displacements of several organs, share a digest. Cost: 0.1
-// ms per MB of state.
+// With the digests two states can be compared field by field, even if the states themselves are not
+// kept. For example, a recording holds the digests of each frame. If a digest differs, its field
+// differs. Fields with the same path, such as the displacements of several organs, share a digest.
+// Cost: 0.1 ms per MB of state.
 #pragma once
 
 #include <cstdint>
@@ -21,9 +21,9 @@ class FieldHashes final : public StateVisitor {
   // Starts with the paths of another FieldHashes object, and seals them.
   explicit FieldHashes(std::vector<std::string> paths);
 
-  // Fixes the set of paths, so that the number of digests does not depend on what happens later. A
-  // list that has never had an entry has shown no paths of fields yet. From now on, this list
-  // counts as a single field, together with everything in its future entries.
+  // Fixes the set of paths, so that the number of digests never changes again. If a list has been
+  // empty so far, the paths of the fields in its entries are not known. From now on such a list
+  // counts as a single field: one digest covers the list and everything in its later entries.
   void seal();
   // Whether a visited state had a field whose path is not in the sealed set. If so, another version
   // of the program made this state.
@@ -47,16 +47,16 @@ class FieldHashes final : public StateVisitor {
   std::uint64_t& at(const char* name);
 
   bool sealed_ = false, strange_ = false;
-  std::vector<char> leaf_;  // 1: no path lies below this one
+  std::vector<char> leaf_;  // per path; 1: no other path begins with this path
   // Used inside a list that counts as a single field. inField_: nesting depth inside the list; 0:
-  // outside such a list. field_: number of the single field.
+  // outside such a list. field_: index of the list's digest in values_.
   std::size_t inField_ = 0, field_ = 0;
   std::uint64_t ignored_ = 0;
   std::string path_;
   std::vector<std::size_t> lengths_;  // length of path_ before each enter()
   std::vector<std::string> paths_;
   std::vector<std::uint64_t> values_;
-  std::size_t next_ = 0;  // expected index of the next field, as all visits have one order
+  std::size_t next_ = 0;  // expected index of the next field; all visits have the same order
 };
 
 // Digest of bytes, computed in four lanes for speed. If a single 8-byte word changes, the digest

@@ -63,8 +63,8 @@ SavedState stateFromBytes(std::span<const std::byte> bytes);
 // Overwrites the fields of `state`. If `saved` lacks a field of `state`, the effect depends on the
 // version of `saved`. If the version is kStateVersion, loadState() throws an Error that names the
 // field. If the version is older, the field of `state` keeps its value. If `saved` has a field that
-// `state` does not have, loadState() throws an Error that names the field, for every version.
-// Whether the values make sense is for the caller to check.
+// `state` does not have, loadState() throws an Error that names the field, for every version. The
+// caller must check whether the values make sense.
 template <typename State>
 void loadState(State& state, const SavedState& saved);
 

@@ -1,4 +1,5 @@
-// A 64-bit digest of a state's bytes, to see whether two states are the same bit for bit.
+// A 64-bit digest of a state's bytes. It is used to check whether two states are the same bit for
+// bit.
 //
 // The digest is not cryptographic. Each 8-byte word is mixed in by the finaliser of splitmix64
 // (Steele, Lea, Flood 2014). addBytes() pads the last word with zeros and does not add the number

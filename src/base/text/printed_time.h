@@ -1,4 +1,4 @@
-// Rounds times for people who read them in tables and JSON.
+// Rounds times that are printed in tables and JSON.
 #pragma once
 
 #include <cmath>
