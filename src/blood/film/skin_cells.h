@@ -1,5 +1,5 @@
-// The skin cells of an organ, over which blood runs. A skin cell is a particle with a free face.
-// The shape of the skin at this face is also given.
+// The skin cells of an organ, over which blood runs. A skin cell is a particle with a free face. A
+// SkinCell describes the shape of the skin at the particle's free faces.
 //
 // A particle's face is free where no bonded particle lies beyond it: on the organ's surface, on the
 // walls of a wound, and on the lips of an incision that is closed. Everything here is derived from
@@ -60,8 +60,8 @@ class SkinCells {
   SkinCells() = default;
   explicit SkinCells(const OperatedOrgan& organ);  // finds all skin cells
 
-  // Updates all cells that edits at `cells` may have changed: all cells up to two cells away along
-  // each axis. Appends to `opened` the faces that the edits opened.
+  // Call this after cuts, tears or the removal of tissue at `cells`. Updates all cells up to two
+  // cells away from them along each axis. Appends to `opened` the faces that have become free.
   void renew(const OperatedOrgan& organ, std::span<const std::int64_t> cells,
              std::vector<OpenedFaces>& opened);
 

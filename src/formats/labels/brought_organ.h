@@ -43,8 +43,8 @@ struct FolderImage {
 };
 
 // The label images of a folder, sorted by name. DICOM segmentations are also found in the folders
-// below. If slices of scans are left out, `notes` gets a sentence about them. Throws Error if there
-// is no label image.
+// below. DICOM files of the scan itself are left out; `notes` then gets a sentence about this.
+// Throws Error if there is no label image.
 std::vector<FolderImage> imagesOf(const std::string& folder, std::vector<std::string>& notes);
 
 // As takeLabels(), for several files. Each file is a label image or a model, and has one structure.
