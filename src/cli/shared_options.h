@@ -25,7 +25,8 @@ struct PictureOptions {
   // Throws a usage Error if the size, the quality, the view, the rate or the name of the video is
   // invalid. To be called before long work.
   void check() const;
-  // Replaces the scenario's view and setting by the view and the setting that the user asked for.
+  // Replaces the scenario's view (of the camera) and setting (the surroundings of the organs) by
+  // those that the user asked for.
   void applyTo(Scenario& scenario) const;
 };
 

@@ -2,12 +2,12 @@
 //
 // The skin consists of all free surfaces of the tissue, including those in a wound. It is divided
 // into skin cells (blood/film/skin_cells.h). The volume of blood on each skin cell is a whole
-// number of picolitres. In a frame the wet cells are visited from the highest to the lowest. From
-// each cell, blood flows to the lower neighbours as a film flows down a slope. The flow per unit of
-// width is q = rho g h^3 sin(slope) / (3 mu), with the film's thickness h, the density rho and the
-// viscosity mu of blood, and gravity g. The flow out of a cell is computed implicitly. One pass
-// over all wet cells is a time step of the kinematic wave equation. Dry skin is wetted only by a
-// film thicker than a threshold, so blood runs in rivulets. Where a cell has no lower neighbour,
+// number of picolitres. In each frame the wet cells are visited from the highest to the lowest.
+// From each cell, blood flows to the lower neighbours as a film flows down a slope. The flow per
+// unit of width is q = rho g h^3 sin(slope) / (3 mu), with the film's thickness h, the density rho
+// and the viscosity mu of blood, and gravity g. The flow out of a cell is computed implicitly. One
+// pass over all wet cells is a time step of the kinematic wave equation. Dry skin is wetted only by
+// a film thicker than a threshold, so blood runs in rivulets. Where a cell has no lower neighbour,
 // blood gathers in level ponds. Under an overhang blood hangs until it drips.
 #pragma once
 
@@ -52,7 +52,7 @@ class BloodFilm {
   // Updates the skin near `cells`: the cells at which cuts, tears or the removal of tissue may have
   // changed the skin. If a cell no longer has skin, its blood goes to the lowest skin cell beside
   // it. If there is no skin cell beside it, the blood falls as a drop, which is appended to
-  // `drops`. Appends to `opened` the faces that the edits opened.
+  // `drops`. Appends to `opened` the faces that have become free.
   void renew(const OperatedOrgan& organ, std::span<const std::int64_t> cells,
              std::vector<BloodDrop>& drops, std::vector<OpenedFaces>& opened);
   bool ready() const { return !skin_.empty(); }

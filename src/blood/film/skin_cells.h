@@ -38,8 +38,9 @@ struct PaddedNumbers {
 };
 
 struct SkinCell {
-  // normal and offset are in rest space. normal: unit, pointing out of the tissue. offset: vector
-  // from the cell's centre to its skin, m.
+  // normal and offset are in rest space, the coordinates of the undeformed organ. normal: unit,
+  // pointing out of the tissue. offset: vector from the cell's centre to its skin, m. In the bit
+  // sets below, d is the number of the direction to a neighbour (tissue/stencil.h).
   Vec3f normal = Vec3f::Zero(), offset = Vec3f::Zero();
   float area = 0;          // area of the skin at this cell, at rest, m^2
   std::uint32_t free = 0;  // bit d: the bond to a particle in direction d is severed
@@ -49,7 +50,7 @@ struct SkinCell {
   bool slit = false;  // all free faces of the cell are lips of closed cuts
 };
 
-// How many faces of a cell are free after an edit but were not free before it.
+// How many faces of a cell have become free by a cut, a tear or the removal of tissue.
 struct OpenedFaces {
   std::int64_t cell = -1;
   int faces = 0;

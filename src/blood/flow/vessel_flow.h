@@ -28,7 +28,7 @@
 
 namespace resect {
 
-// Conditions outside the two ends of an injury (index: VesselEnd).
+// Conditions outside the two ends of an injured vessel (index: VesselEnd).
 struct EndOutside {
   double pressure[2] = {0, 0};      // just outside the end, relative to the atmosphere, Pa
   bool closed[2] = {false, false};  // true: nothing can flow out, for example inside tissue
@@ -66,9 +66,9 @@ class VesselFlow {
     double leafConductance = 0;
     std::vector<std::int32_t> firstChild, children, roots;  // indices within the tree
     std::vector<double> resistance;                         // of each segment, Pa s/m^3
-    // Per segment: conductance from the segment's start to the sinusoids. seen[0]: for flow towards
-    // the sinusoids in the portal vein and in the artery. seen[1]: for flow back from the
-    // sinusoids.
+    // Per segment: conductance from the segment's start to the sinusoids. seen[0]: with the normal
+    // conductance of the leaves. seen[1]: with a fifth of it in the portal vein and in the artery,
+    // for branches that are separated from their source.
     std::array<std::vector<double>, 2> seen;
     mutable double inflow = 0;
   };
