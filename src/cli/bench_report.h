@@ -9,7 +9,7 @@
 
 namespace resect {
 
-// `limit`: the largest organ that keeps real time; empty if it was not searched for.
+// `limit`: the largest organ that is simulated in real time; empty if it was not searched for.
 nlohmann::ordered_json toJson(const BenchReport& report, const std::optional<RealTimeLimit>& limit,
                               const Scenario& scenario);
 std::string toText(const BenchReport& report, const std::optional<RealTimeLimit>& limit,

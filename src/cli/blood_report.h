@@ -13,8 +13,8 @@ nlohmann::ordered_json toJson(const BloodSummary& summary);
 std::string toText(const BloodSummary& summary);  // some lines; each ends with a line break
 
 nlohmann::ordered_json toJson(const std::vector<SegmentAmount>& segments);
-// A line about the Couinaud segments that are no longer complete in the body of the organ: at least
-// 1 ml of the segment is missing there. "" if there are no such segments.
+// A line about the Couinaud segments (regions of a liver) of which at least 1 ml has been separated
+// from the organ's main part or removed. "" if there are no such segments.
 std::string toText(const std::vector<SegmentAmount>& segments);
 
 }  // namespace resect

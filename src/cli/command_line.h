@@ -27,9 +27,8 @@ class Option {
   Option oneOf(const std::vector<std::string>& choices) const;  // the value must be one of these
   Option values(int count) const;  // takes this number of values, one after the other
   Option oneValueEach() const;     // takes one value each time the option is given
-  // The value may be left out; it is then `instead`. An argument that follows and does not begin
-  // with
-  // "-", or is "-" alone, is taken for the value.
+  // The option may be given without a value; its value is then `instead`. The argument after the
+  // option is taken for its value if this argument is "-" or does not begin with "-".
   Option valueOr(const std::string& instead) const;
   Option needs(Option other) const;     // allowed only together with the other option
   Option excludes(Option other) const;  // not allowed together with the other option

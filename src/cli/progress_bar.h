@@ -8,9 +8,10 @@
 
 namespace resect {
 
-// Shows a bar on standard error. While the share of the work is unknown, the elapsed seconds are
-// shown instead. The bar appears only at a terminal, and only after more than a second of work. The
-// bar is erased when the share is 1, or when the returned function is destroyed.
+// Shows a bar on standard error. While it is unknown which share of the work is done, the elapsed
+// seconds are shown instead. The bar appears only at a terminal, and only after more than a second
+// of work. The bar is erased when all work is done (share 1), or when the returned function is
+// destroyed.
 Progress progressBar(const std::string& title);
 
 // Erases the bar, if one is shown. May be called in a signal's handler.

@@ -25,7 +25,8 @@ struct PictureOptions {
   // Throws a usage Error if the size, the quality, the view, the rate or the name of the video is
   // invalid. To be called before long work.
   void check() const;
-  // Replaces the scenario's view and setting by the view and the setting that the user asked for.
+  // Replaces the scenario's view (of the camera) and setting (the surroundings of the organs) by
+  // those that the user asked for.
   void applyTo(Scenario& scenario) const;
 };
 
@@ -46,8 +47,9 @@ void addSettingOption(Command command, std::string& setting);
 // Throws a usage Error unless `setting` is empty or one of these names.
 void requireSetting(const std::string& setting);
 
-// Adds --breathing, a length as text. setBreathing() applies it to the scenario, if it was given;
-// it throws a usage Error if it is no length, out of range, or no tissue moves.
+// Adds --breathing: the depth of the patient's breathing, a length as text. If `depth` is not
+// empty, setBreathing() writes it to the scenario. setBreathing() throws a usage Error if `depth`
+// is not a length or is out of range, or if no tissue of the scenario moves.
 void addBreathingOption(Command command, std::string& depth);
 void setBreathing(Scenario& scenario, const std::string& depth);
 
@@ -65,15 +67,16 @@ void addOverwriteOption(Command command, bool& overwrite, const std::string& num
 // Adds FILE, a recording to read.
 void addRecordingOption(Command command, std::string& file);
 
-// A part of a recorded operation.
+// A part of a recorded operation. The recording has a new branch wherever the user went back in
+// time.
 struct RecordedPart {
   double from = 0, to = INFINITY;  // simulated times, s
   std::int64_t branch = -1;        // -1: the branch of RecordingFile::moment()
 
   void check() const;                                // throws a usage Error unless 0 <= from <= to
   std::int64_t branchIn(RecordingFile& file) const;  // the branch's number
-  // The frames of this part, along the course that leads to the end of its branch. Throws Error if
-  // the part has no frames.
+  // The frames of this part, on the way from the beginning of the recording to the end of the
+  // branch. Throws Error if the part has no frames.
   std::vector<CourseSpan> of(RecordingFile& file, double frameRate) const;
 };
 

@@ -1,7 +1,7 @@
-// A flat profile of an operation in the form of gprof. It lists the stages, with the number of
-// calls, sorted by the time that a stage took. For each stage it also names the functions of the
-// thesis's program that did the same work, and gives the share of that program's time that these
-// functions took (appendix A of the thesis, 2004).
+// A flat profile of an operation in the form of gprof. It lists the stages of a step with their
+// numbers of calls, sorted by the time that each stage took. Resect continues a thesis of 2004. For
+// each stage, the profile also names the functions of the thesis's program that did the same work.
+// It gives the share of that program's time that these functions took (appendix A of the thesis).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -6,7 +6,7 @@
 
 namespace resect {
 
-inline constexpr double kMostLostTissue = 0.02;  // largest lost share of the tissue's volume
+inline constexpr double kMostLostTissue = 0.02;  // share of the tissue's volume that may be lost
 // Least number of particles of a whole organ. Fewer particles do not show the organ's shape.
 inline constexpr double kFewestParticles = 2000;
 

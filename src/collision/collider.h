@@ -14,11 +14,11 @@
 // For single points, use insideFlags() (collision/inside.h). For moving tools, use sweptInside()
 // (in the same header). These functions test the points themselves, and not the nearest pixels.
 //
-// A pixel stands for the column along z through its centre. It holds the intervals of this column
-// that are inside the body, clipped to the volume of interest. All columns run along z, so one
-// raster per mesh serves all queries. Another direction would not be more exact: in every direction
-// the error of the volume shrinks with the size of the pixels. Source: Heidelberger, Teschner,
-// Gross (2003).
+// A pixel stands for the column (line along z) through its centre. The pixel holds those intervals
+// of this column that are inside the body, clipped to the volume of interest. All columns run along
+// z, so one raster per mesh serves all queries. Another direction would not be more exact: in every
+// direction the error of the volume shrinks with the size of the pixels. Source: Heidelberger,
+// Teschner, Gross (2003).
 #pragma once
 
 #include <span>
@@ -54,9 +54,9 @@ struct LayeredDepthImage {
 };
 
 // Rasterises the inside of a mesh within the box. The mesh must be finite, closed and oriented
-// outwards. Over pixels that are not wanted, parts of the mesh may be missing. wanted: one flag per
-// pixel, or empty if all pixels are wanted. Pixels that are not wanted get no intervals. Cost: a
-// pass over the mesh, and a pass over the crossings of the mesh with the pixels' columns.
+// outwards. wanted: one flag per pixel, or empty if all pixels are wanted. Pixels that are not
+// wanted get no intervals; over these pixels, parts of the mesh may be missing. Cost: a pass over
+// the mesh, and a pass over the crossings of the mesh with the pixels' columns.
 LayeredDepthImage layeredDepthImage(const TriangleMesh& mesh, const Aabb& box,
                                     const ColumnGrid& pixels,
                                     std::span<const std::uint8_t> wanted = {});

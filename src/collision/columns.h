@@ -3,7 +3,7 @@
 // rasteriser decides exactly which triangles of the snapped mesh a column crosses. Only the depth
 // of a crossing is inexact, since it is computed in floating point.
 //
-// The raster has 2^30 steps over the larger of two extents of the mesh, along x and along y. For a
+// The raster has 2^30 steps over the mesh's extent along x or along y, whichever is larger. For a
 // liver, a step is 0.2 nm. With these integers every edge function is an exact 64-bit integer. A
 // column through an edge or a vertex is treated as if it were shifted by (s, s^2), where s > 0 is
 // infinitesimal. The shifted column meets neither edges nor vertices. So for a closed, oriented
@@ -11,8 +11,8 @@
 // raster depends on the mesh alone. So a column has the same crossings whether it is cast alone or
 // with others, in a grid or in a list, at any number of threads.
 //
-// Cost: a pass over the mesh's points and triangles. Then a constant time for each column in the
-// bounding box of a triangle. Finally, the crossings of each column are sorted by depth. Sources:
+// Cost: a pass over the mesh's points and triangles; then, for each triangle, a constant time for
+// each column in the triangle's bounding box; finally, sorting each column's crossings. Sources:
 // Heidelberger, Teschner, Gross (2003) for layered depth images in collision detection;
 // Edelsbrunner, Muecke (1990) for the symbolic perturbation of columns through edges and vertices.
 #pragma once

@@ -28,8 +28,8 @@ class Footprint {
       : x0_(a.x), y0_(a.y), z_(a.z), dz1_(b.z - a.z), dz2_(c.z - a.z) {
     const std::int64_t bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
     const std::int64_t area = bx * cy - by * cx;
-    // If area > 0 the face looks up, and a column leaves the body through it. If area < 0 the face
-    // looks down; then its edges are reversed.
+    // If area > 0 the triangle faces upwards (+z), and a column leaves the body through it. If area
+    // < 0 the triangle faces downwards; then its edges are reversed.
     const std::int64_t turn =
         2 * std::int64_t(area > 0) - 1;  // branch-free: the sign is unpredictable
     sign_ = std::int32_t(-turn);

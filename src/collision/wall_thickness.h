@@ -4,8 +4,8 @@
 // line inwards to where the tissue ends. Thirteen directions are possible for the line: the edges,
 // the face diagonals and the space diagonals of a cube. The direction nearest to the normal of the
 // surface is taken. The measured length is multiplied by the cosine of the angle between the line
-// and the normal. So the thickness of a flat wall is exact. The thickness of a solid ball is its
-// diameter; the measured thickness is too small by up to a quarter.
+// and the normal. So the thickness of a flat wall is exact. For a solid ball, the measured
+// thickness is up to a quarter smaller than the ball's diameter.
 #pragma once
 
 #include <vector>

@@ -15,7 +15,8 @@ namespace resect {
 struct PartInfo {
   std::string name;
   int triangles = 0;
-  // The fields below are computed after welding (weldSurface() in io/organ_mesh.h).
+  // The fields below are computed after points at equal positions were welded (weldSurface() in
+  // io/organ_mesh.h).
   bool closed = false;
   int boundaryEdges = 0;
   double volume = 0;  // m^3, >= 0; 0 if the part is open

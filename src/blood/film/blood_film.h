@@ -1,13 +1,14 @@
 // Blood as a film on the skin of one organ.
 //
-// The volume of blood on each skin cell is a whole number of picolitres. In a frame the wet cells
-// are visited from the highest to the lowest. From each cell, blood flows to the lower neighbours
-// as a film flows down a slope. The flow per unit of width is q = rho g h^3 sin(slope) / (3 mu),
-// with the film's thickness h, the density rho and the viscosity mu of blood, and gravity g. The
-// flow out of a cell is solved implicitly. So one sweep over the cells is a time step of the
-// kinematic wave equation. Dry skin is wetted only by a film thicker than a threshold, so blood
-// runs in rivulets. Where a cell has no lower neighbour, blood gathers in level ponds. Under an
-// overhang blood hangs until it drips.
+// The skin consists of all free surfaces of the tissue, including those in a wound. It is divided
+// into skin cells (blood/film/skin_cells.h). The volume of blood on each skin cell is a whole
+// number of picolitres. In each frame the wet cells are visited from the highest to the lowest.
+// From each cell, blood flows to the lower neighbours as a film flows down a slope. The flow per
+// unit of width is q = rho g h^3 sin(slope) / (3 mu), with the film's thickness h, the density rho
+// and the viscosity mu of blood, and gravity g. The flow out of a cell is computed implicitly. One
+// pass over all wet cells is a time step of the kinematic wave equation. Dry skin is wetted only by
+// a film thicker than a threshold, so blood runs in rivulets. Where a cell has no lower neighbour,
+// blood gathers in level ponds. Under an overhang blood hangs until it drips.
 #pragma once
 
 #include <cstdint>
@@ -48,10 +49,10 @@ class BloodFilm {
  public:
   // Finds the organ's skin. Call it once, and again after the organ was restored.
   void setUp(const OperatedOrgan& organ);
-  // Updates the skin near `cells`: the cells at which edits may have changed the skin. If a cell no
-  // longer has skin, its blood goes to the lowest skin cell beside it. If there is no skin cell
-  // beside it, the blood falls as a drop, which is appended to `drops`. Appends to `opened` the
-  // faces that the edits opened.
+  // Updates the skin near `cells`: the cells at which cuts, tears or the removal of tissue may have
+  // changed the skin. If a cell no longer has skin, its blood goes to the lowest skin cell beside
+  // it. If there is no skin cell beside it, the blood falls as a drop, which is appended to
+  // `drops`. Appends to `opened` the faces that have become free.
   void renew(const OperatedOrgan& organ, std::span<const std::int64_t> cells,
              std::vector<BloodDrop>& drops, std::vector<OpenedFaces>& opened);
   bool ready() const { return !skin_.empty(); }
@@ -64,18 +65,20 @@ class BloodFilm {
   // blood is also appended to `drops`, at height 0.
   void step(double duration, bool table, std::vector<BloodDrop>& drops);
 
-  // Call this at the end of a frame. It writes the wet cells to wet(), which is the state.
+  // Call this at the end of a frame. It writes the wet cells to wet(), which is the part that saved
+  // states contain.
   void collect();
 
   void add(std::int64_t cell, Picolitres volume);
   // Takes liquid blood from the wet cells within `radius`, m, of a point in the world: at most
-  // `most` in all, and the same share from each cell. Returns the volume taken.
+  // `most` in all, and the same fraction of the blood of each cell. Returns the volume taken.
   Picolitres take(const Vec3& place, double radius, Picolitres most);
 
-  // The skin cell nearest to a point in rest space, at most three cells away along each axis; -1 if
-  // there is no such cell. beside: the preferred direction from the point; zero if no direction is
-  // preferred. If the direction to a cell's centre is more than 90 degrees from `beside`, the cell
-  // counts as one spacing farther away.
+  // The skin cell nearest to a point in rest space (the coordinates of the undeformed organ, m).
+  // Cells up to three cells away along each axis are considered. -1 if there is no skin cell there.
+  // beside: the preferred direction from the point; zero if no direction is preferred. If the
+  // direction to a cell's centre is more than 90 degrees from `beside`, the cell counts as one
+  // spacing farther away.
   std::int64_t skinNear(const Vec3& rest, const Vec3& beside) const;
   // The present position (world, m) and the normal of the skin at a cell, which must be a skin
   // cell.

@@ -1,5 +1,5 @@
-// The skin cells of an organ, over which blood runs. A skin cell is a particle with a free face.
-// The shape of the skin at this face is also given.
+// The skin cells of an organ, over which blood runs. A skin cell is a particle with a free face. A
+// SkinCell describes the shape of the skin at the particle's free faces.
 //
 // A particle's face is free where no bonded particle lies beyond it: on the organ's surface, on the
 // walls of a wound, and on the lips of an incision that is closed. Everything here is derived from
@@ -38,8 +38,9 @@ struct PaddedNumbers {
 };
 
 struct SkinCell {
-  // normal and offset are in rest space. normal: unit, pointing out of the tissue. offset: vector
-  // from the cell's centre to its skin, m.
+  // normal and offset are in rest space, the coordinates of the undeformed organ. normal: unit,
+  // pointing out of the tissue. offset: vector from the cell's centre to its skin, m. In the bit
+  // sets below, d is the number of the direction to a neighbour (tissue/stencil.h).
   Vec3f normal = Vec3f::Zero(), offset = Vec3f::Zero();
   float area = 0;          // area of the skin at this cell, at rest, m^2
   std::uint32_t free = 0;  // bit d: the bond to a particle in direction d is severed
@@ -49,7 +50,7 @@ struct SkinCell {
   bool slit = false;  // all free faces of the cell are lips of closed cuts
 };
 
-// How many faces of a cell are free after an edit but were not free before it.
+// How many faces of a cell have become free by a cut, a tear or the removal of tissue.
 struct OpenedFaces {
   std::int64_t cell = -1;
   int faces = 0;
@@ -60,8 +61,8 @@ class SkinCells {
   SkinCells() = default;
   explicit SkinCells(const OperatedOrgan& organ);  // finds all skin cells
 
-  // Updates all cells that edits at `cells` may have changed: all cells up to two cells away along
-  // each axis. Appends to `opened` the faces that the edits opened.
+  // Call this after cuts, tears or the removal of tissue at `cells`. Updates all cells up to two
+  // cells away from them along each axis. Appends to `opened` the faces that have become free.
   void renew(const OperatedOrgan& organ, std::span<const std::int64_t> cells,
              std::vector<OpenedFaces>& opened);
 

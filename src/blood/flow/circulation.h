@@ -8,19 +8,20 @@ inline constexpr double kBloodDensity = 1060;      // kg/m^3
 inline constexpr double kBloodViscosity = 3.5e-3;  // Pa s
 inline constexpr double kEarth = 9.81;             // gravity, m/s^2
 
-// Share of the blood whose loss the body makes up for: above it begin classes II to IV of
-// haemorrhage (American College of Surgeons, ATLS 2018).
+// Fraction of its blood that the body can lose and make up for by itself. Larger losses are classes
+// II to IV of haemorrhage (American College of Surgeons, ATLS 2018).
 inline constexpr double kBorneLoss = 0.15;
-// Air in the heart, m^3: above the first volume it hinders the heart (estimate); the second one, at
-// once, kills an adult (200 to 300 ml: Mirski et al. 2007, doi:10.1097/00000542-200701000-00026).
+// Volumes of air in the heart, m^3. More than kBorneAir hinders the heart (estimate). kDeadlyAir
+// kills an adult if it enters all at once (200 to 300 ml: Mirski et al. 2007,
+// doi:10.1097/00000542-200701000-00026).
 inline constexpr double kBorneAir = 50e-6, kDeadlyAir = 300e-6;
 
 // The supply of one kind of vessel: a source, the resistance between the source and the organ, and
-// the flow through an organ without injuries. The flow of the hepatic veins is negative, since it
-// leaves the organ.
+// the flow through an organ without injuries. The source of the hepatic veins is the vena cava. The
+// flow of the hepatic veins is negative, since it leaves the organ.
 struct Supply {
   double pressure = 0;    // of the source, Pa
-  double resistance = 0;  // between the source and the root of the tree, Pa s/m^3
+  double resistance = 0;  // between the source and the root of the vessel tree, Pa s/m^3
   double flow = 0;        // into the organ, m^3/s
 };
 

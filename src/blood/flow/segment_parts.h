@@ -1,4 +1,5 @@
-// The parts of an organ's tissue in which its vessels end.
+// Finds the parts of an organ's tissue in which the organ's vessels end. A part is the body (the
+// main part of the organ) or a piece that has been separated from it.
 #pragma once
 
 #include <span>
@@ -14,9 +15,10 @@ namespace resect {
 // is that of tissueParts() (organ/parts/tissue_parts.h).
 std::vector<std::int32_t> partOfCells(const OperatedOrgan& organ);
 
-// The segments that do not belong to the body, ascending. A segment belongs to the part in which
-// the leaves of its subtree end. If these leaves end in several parts, the segment belongs to one
-// of these parts. part: the result of partOfCells().
+// The vessel segments that do not belong to the body, by ascending number. A segment belongs to the
+// part in which the leaves of its subtree end: the last segments of its branches. If these leaves
+// end in several parts, the segment belongs to one of these parts. part: the result of
+// partOfCells().
 std::vector<SegmentPart> segmentsApart(const Organ& organ, std::span<const std::int32_t> part);
 
 }  // namespace resect

@@ -2,18 +2,19 @@
 //
 // The resistance of a vessel follows Poiseuille's law. At an open end there is a further loss of
 // pressure by the kinetic energy of the jet: dp = 1.56 rho |Q| Q / (2 A^2), with the density rho of
-// blood, the flow Q and the open area A. All leaves in one connected part of the tissue end in
-// sinusoids at one common pressure. At this pressure, the flow into these sinusoids equals the flow
-// out of them. If a part is no longer connected to any source, nothing flows in it.
+// blood, the flow Q and the open area A. The leaves of a vessel tree, its last segments, end in the
+// liver's capillaries, the sinusoids. In each connected part of the tissue, all sinusoids have one
+// common pressure. At this pressure, the flow into the part's sinusoids equals the flow out of
+// them. If no vessel connects a part to a source any more, nothing flows in the part.
 //
 // A cut, a clip or a clamp can separate branches of the portal vein or of the artery from their
 // source. Blood can then flow back from the sinusoids into these branches, and the sinusoids
-// collapse. So the leaves of these branches have a fifth of their conductance (an estimate).
+// collapse. So the leaves of these branches have a fifth of their normal conductance (an estimate).
 //
-// Each subtree without injuries is reduced in advance to one conductance between its parent and the
-// sinusoids. So in a frame, the equations need not be solved for the whole tree, but only for the
-// injured segments and for the segments between them and the root. (A segment with a clip counts
-// like an injured segment. So does a segment whose branches lead to different parts of the tissue.)
+// Each subtree without injuries is reduced in advance to one conductance between its parent segment
+// and the sinusoids. So in a frame, the equations are solved only for the injured segments and for
+// the segments between them and the root. (A segment with a clip counts like an injured segment. So
+// does a segment whose branches lead to different parts of the tissue.)
 #pragma once
 
 #include <array>
@@ -27,7 +28,7 @@
 
 namespace resect {
 
-// Conditions outside the two ends of an injury (index: VesselEnd).
+// Conditions outside the two ends of an injured vessel (index: VesselEnd).
 struct EndOutside {
   double pressure[2] = {0, 0};      // just outside the end, relative to the atmosphere, Pa
   bool closed[2] = {false, false};  // true: nothing can flow out, for example inside tissue
@@ -39,11 +40,10 @@ class VesselFlow {
   VesselFlow(std::shared_ptr<const VesselMap> map, const Circulation& circulation);
 
   // Computes the flows out of all open ends and writes them to state.injuries. A flow is negative
-  // only in wide hepatic veins, which draw in air; there the flow of the blood that makes room for
-  // the air limits the flow of the air. outside: one entry per injury. sources: the present
-  // pressures of the sources. sinusoids: the pressures in the sinusoids, Pa, one for each part of
-  // the tissue (SegmentPart), the body first. The caller passes the pressures from the last call,
-  // and solve() updates them.
+  // only at wide hepatic veins, which draw in air. The air flows in only as fast as blood makes
+  // room for it. outside: one entry per injury. sources: the present pressures of the sources.
+  // sinusoids: the pressures in the sinusoids, Pa, one for each part of the tissue (SegmentPart),
+  // the body first. The caller passes the pressures from the last call, and solve() updates them.
   //
   // The pressure loss at an end depends on the flow. So each call does four iterations, which start
   // from the last flows. After a change, the flow is steady only after several calls. Returns the
@@ -66,9 +66,9 @@ class VesselFlow {
     double leafConductance = 0;
     std::vector<std::int32_t> firstChild, children, roots;  // indices within the tree
     std::vector<double> resistance;                         // of each segment, Pa s/m^3
-    // Per segment: conductance from the segment's start to the sinusoids. seen[0]: for flow towards
-    // the sinusoids in the portal vein and in the artery. seen[1]: for flow back from the
-    // sinusoids.
+    // Per segment: conductance from the segment's start to the sinusoids. seen[0]: with the normal
+    // conductance of the leaves. seen[1]: with a fifth of it in the portal vein and in the artery,
+    // for branches that are separated from their source.
     std::array<std::vector<double>, 2> seen;
     mutable double inflow = 0;
   };

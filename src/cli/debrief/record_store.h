@@ -1,6 +1,8 @@
-// Sends statements to a learning record store (xAPI 1.0.3) over the network.
+// Sends statements, which say what a learner did, to a learning record store (xAPI 1.0.3) over the
+// network.
 //
-// No other code of Resect uses the network. The function is called only if the user gives a URL.
+// No other C++ code of Resect uses the network. The function is called only if the user gives a
+// URL.
 #pragma once
 
 #include <string>

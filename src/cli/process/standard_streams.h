@@ -8,9 +8,9 @@
 namespace resect {
 
 // To be called first in main(). If one of the three streams is closed, opens /dev/null in its
-// place, for reading only, so that printing to the stream fails. Otherwise a file that is opened
-// later would get the descriptor of the closed stream, and printed text would be written into that
-// file.
+// place, for reading only, so that printing to the stream fails. Without this, a file that is
+// opened later would get the descriptor of the closed stream, and printed text would be written
+// into that file.
 void openStandardStreams();
 
 // To be called last in main(). Closes standard output. Throws Error if not all of the printed text

@@ -15,7 +15,7 @@ namespace resect {
 struct ForeignFile {
   std::string_view bytes;     // content of the file
   const BesideFiles& beside;  // the files to which it refers, as far as they are loaded
-  SharedNumber& share;        // share read so far, 0 to 1; -1: unknown; set by the reader
+  SharedNumber& share;        // fraction read so far, 0 to 1; -1: unknown; set by the reader
 };
 
 struct ForeignReading {

@@ -9,8 +9,8 @@
 
 namespace resect {
 
-// The two walls that the kernel must provide. A test can switch one wall off to see what the other
-// wall stops.
+// The two walls that depend on the version of the kernel. A test can switch one of them off to see
+// what the other one stops.
 struct SandboxWalls {
   // Landlock. Refuses access to files (Linux 5.13 and later), TCP (6.7 and later) and signals to
   // other processes (6.12 and later).

@@ -18,9 +18,8 @@ class CsvWriter {
  public:
   explicit CsvWriter(std::ostream& out) : out_(out) {}
 
-  // A spreadsheet may take a text for a formula: a text that begins with = + - @, tab or carriage
-  // return. An apostrophe is put before such a text, since it may come from somebody else's
-  // recording.
+  // A spreadsheet may run a text that begins with = + - @, tab or carriage return as a formula. The
+  // text may come from somebody else's recording. So an apostrophe is put before such a text.
   CsvWriter& cell(std::string_view text);
   template <typename T>
   requires std::integral<T> || std::floating_point<T> CsvWriter& cell(T number) {

@@ -1,4 +1,5 @@
-// Label images: scans of a patient in which each voxel says to which organ it belongs.
+// Label images: images made from a scan of a patient. The number in each voxel (its label) says to
+// which organ the voxel belongs. An image may have several layers, for labels that overlap.
 //
 // Coordinates are the same as in DICOM, but in metres: x to the patient's left, y to the back, z to
 // the head ("LPS").

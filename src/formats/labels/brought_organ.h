@@ -1,5 +1,6 @@
-// Makes the source of an organ from the labels of a scan. Decides which label is the organ, and
-// which labels are vessels and tumours in the organ.
+// Makes an OrganSource from the labels of a scan. An OrganSource says from which files and parts an
+// organ is made. The functions decide which label is the organ, and which labels are vessels and
+// tumours in the organ.
 #pragma once
 
 #include <filesystem>
@@ -20,9 +21,9 @@ bool isLabelled(const std::filesystem::path& path);
 // tells the kind of the structure (anatomy/structure_kind.h).
 //
 // If source.part is given, it names the labels of the organ. For a folder, it names the organ's
-// file instead. If source.part is not given, the organ is the label whose name means parenchyma, or
-// the only label. If source.file is an image, and source.part or source.structures is given, only
-// the pose is filled in.
+// file instead. If source.part is not given, the organ is the label whose name means parenchyma
+// (the organ's own tissue), or the only label. If source.file is an image, and source.part or
+// source.structures is given, only the pose is filled in.
 //
 // The tumours, cysts, cavities and vessels become source.structures, unless source.structures has
 // entries already. A tumour, a cyst or a vessel from the organ's own image also becomes part of the
@@ -43,13 +44,13 @@ struct FolderImage {
 };
 
 // The label images of a folder, sorted by name. DICOM segmentations are also found in the folders
-// below. If slices of scans are left out, `notes` gets a sentence about them. Throws Error if there
-// is no label image.
+// below. DICOM files of the scan itself are left out; `notes` then gets a sentence about this.
+// Throws Error if there is no label image.
 std::vector<FolderImage> imagesOf(const std::string& folder, std::vector<std::string>& notes);
 
-// As takeLabels(), for several files. Each file is a label image or a model, and has one structure.
-// All files must have the same coordinates. The files are treated like the files of a folder. If
-// there is only one file, it becomes source.file.
+// Does the same as takeLabels() for several files. Each file is a label image or a model, and has
+// one structure. All files must have the same coordinates. The files are treated like the files of
+// a folder. If there is only one file, it becomes source.file.
 void takeFiles(OrganSource& source, const std::vector<std::string>& files);
 
 // Adds a structure that lies in the organ. file: the structure's file; if it is empty, `part` is a

@@ -1,4 +1,5 @@
-// The names that TotalSegmentator gives to labels. They are used for images that contain no names.
+// The names that TotalSegmentator, a program that segments scans, gives to labels. They are used
+// for images that contain no names.
 #pragma once
 
 #include <cstdint>

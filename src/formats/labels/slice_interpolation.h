@@ -1,7 +1,7 @@
 // Replaces the thick slices of a label by thin slices. In each of two neighbouring thick slices,
-// every voxel gets its distance from the border of the label. These distances are interpolated
-// between the two slices, and the interpolated border is where they are zero ("shape-based
-// interpolation", Raya and Udupa 1990, 10.1109/42.52980).
+// every voxel gets its signed distance from the border of the label. These distances are
+// interpolated between the two slices, and the interpolated border is where they are zero
+// ("shape-based interpolation", Raya and Udupa 1990, 10.1109/42.52980).
 #pragma once
 
 #include <cstdint>

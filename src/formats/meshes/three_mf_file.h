@@ -16,11 +16,11 @@ namespace resect {
 // Whether the bytes are a ZIP archive that holds a 3D model, as a .3mf file does.
 bool isThreeMf(std::string_view bytes);
 
-// Each object that the file builds becomes a part of the model. The transforms of the objects are
-// applied. Coordinates are converted to metres. If the file names no unit, its coordinates are
-// taken as millimetres. path: for messages only. bytes: content of the file. Throws Error if the
-// file is damaged. Also throws Error if the file requires an extension other than the extension for
-// materials, since it may change the shape.
+// Each object in the file's build section becomes a part of the model. The transforms of the
+// objects are applied. Coordinates are converted to metres. If the file names no unit, its
+// coordinates are taken as millimetres. path: for messages only. bytes: content of the file. Throws
+// Error if the file is damaged. Also throws Error if the file requires an extension, since an
+// extension may change the shape. Only the extension for materials is allowed.
 Model readThreeMfFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect
