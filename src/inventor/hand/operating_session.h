@@ -185,7 +185,7 @@ class OperatingSession {
   Aabb smokeBox_;                            // round the smoke that was drawn last
   Aabb markerBox_;          // box of the marker at the tip that was shown last; world, m
   std::int64_t asked_ = 0;  // number of the last request to the operation
-  // goOn() was called, and the operation still shows a moment.
+  // goOn() was called, and the operation still shows an earlier or later moment.
   bool goingOn_ = false;
   bool following_ = false;  // the tools are being set to the operation's poses
   bool playing_ = false, playedOut_ = false;
