@@ -8,8 +8,8 @@
 
 namespace resect {
 
-// A closed box, which means that its faces belong to it; m. The box extends from `min` to `max`
-// along each axis. A default box is empty, and grow() can extend it.
+// A box that extends from `min` to `max` along each axis, m. Its faces belong to the box. A default
+// box is empty, and grow() can extend it.
 struct Aabb {
   Vec3 min = Vec3::Constant(std::numeric_limits<double>::infinity());
   Vec3 max = Vec3::Constant(-std::numeric_limits<double>::infinity());
@@ -49,7 +49,7 @@ inline bool meets(const Aabb& a, const Aabb& b) {
   return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
 }
 
-// The common part of the two boxes. Empty if the boxes do not meet.
+// The common part of the two boxes. It is empty if the boxes do not meet.
 inline Aabb intersection(const Aabb& a, const Aabb& b) {
   return {a.min.cwiseMax(b.min), a.max.cwiseMin(b.max)};
 }

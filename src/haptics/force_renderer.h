@@ -1,6 +1,6 @@
-// Computes the force on the hand between two frames of the simulation. The local model is evaluated
-// at the present pose of the hand, 1000 times a second. When a new model arrives, the force does
-// not jump.
+// Computes the force on the hand between two frames of the simulation. 1000 times a second, the
+// local model of the instrument (haptics/local_model.h) is evaluated at the present pose of the
+// hand. When a new model arrives, the force changes gradually.
 #pragma once
 
 #include "haptics/local_model.h"
@@ -30,10 +30,9 @@ class ForceRenderer {
   // Error unless mostForce > 0.
   explicit ForceRenderer(double mostForce = 20);
 
-  // Replaces the model by a new one. hand, now: as in the call of render() that follows. The force
-  // does not jump: it changes gradually to the force of the new model. The change takes as long as
-  // the time between the arrivals of the last two models, but at least 1 and at most 4 durations of
-  // a frame.
+  // Replaces the model by a new one. hand, now: the same values as in the next call of render().
+  // The force changes gradually to the force of the new model. The change takes as long as the time
+  // between the arrivals of the last two models, but at least 1 and at most 4 durations of a frame.
   void take(const LocalModel& model, const HandState& hand, double now);
   // The force on the hand. now: time of a steady clock, s; must not decrease from call to call.
   Wrench render(const HandState& hand, double now) const;

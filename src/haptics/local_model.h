@@ -2,11 +2,12 @@
 // this model until the simulation has computed the next frame.
 //
 // After each frame a new model is made from the contact points and grips of the instrument
-// (tissue/touch.h). The model contains the force on the instrument, the contact planes that the
-// instrument touches, and how the force changes when the instrument moves. The model has a fixed
-// size, so that a TripleBuffer can hand it over. docs/methods/haptics.md derives the stiffness.
-// Units are m, N and s; coordinates are in the world. Making a model costs as much as one substep
-// spends on the contact points of one instrument.
+// (tissue/touch.h). The model contains the force on the instrument, contact planes that stand for
+// the tissue it touches (ContactPlane), and how the force changes when the instrument moves. The
+// model has a fixed size, so that it can be passed through a TripleBuffer without allocating
+// memory. docs/methods/haptics.md derives the stiffness. Units are m, N and s; coordinates are in
+// the world. Making a model costs as much as the contact points of one instrument cost in one time
+// step of the tissue.
 #pragma once
 
 #include <array>
@@ -76,7 +77,7 @@ struct InstrumentFrame {
 // tissue, the result of TissueModel::touchOf(). Throws Error unless frame.duration is above 0.
 LocalModel makeLocalModel(const InstrumentFrame& frame, std::span<const TissueTouch> touches);
 
-// Makes the local models of a simulation. All calls use the same memory.
+// Makes the local models of a simulation. All calls of make() use the same memory.
 class LocalModels {
  public:
   // The model of one tool after Simulation::step(). Call this before the next step. tool: number of

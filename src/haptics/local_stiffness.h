@@ -23,8 +23,8 @@ LocalModuli moduliWithin(const TissueMaterial& material, double time);
 // spread the force.
 double pressedStiffness(const LocalModuli& moduli, double area, double spacing);
 double draggedStiffness(const LocalModuli& moduli, double area, double spacing);
-// Stiffness of tissue that is gripped at a number of cells, N/m. It is the same in all directions.
-// cells: number of gripped cells.
+// Stiffness of gripped tissue, N/m. It is the same in all directions. cells: number of gripped
+// cells.
 double heldStiffness(const LocalModuli& moduli, int cells, double spacing);
 
 // Stiffness of two springs in series. a, b: stiffnesses of the springs, N/m. If a or b is 0, the

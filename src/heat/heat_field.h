@@ -1,4 +1,4 @@
-// The temperature of tissue round places that were heated, and how much of the tissue there is
+// The temperature of tissue round heated places, and the fractions of this tissue that are
 // coagulated, dried out and charred.
 //
 // The bioheat equation (Pennes 1948) is solved in rest space, on a lattice that does not depend on
@@ -17,9 +17,8 @@
 //
 // A stored cell of this lattice is called a spot (HeatedSpot). A cell is stored if it is warm (at
 // least 0.01 K above 37 C), if it is beside a warm cell, or if heat has changed its tissue. In all
-// other cells the tissue is at 37 C and unchanged. No heat flows through the tissue's surface.
-// Single vessels do not cool the tissue; the perfusion w stands for the cooling by all vessels
-// together.
+// other cells the tissue is at 37 C and unchanged. No heat flows through the tissue's surface. The
+// perfusion w stands for the cooling by all vessels together. No vessel is considered singly.
 #pragma once
 
 #include <cstdint>
@@ -74,8 +73,8 @@ class HeatField {
   // Computes a frame. duration: duration of the frame, s. isTissue: says whether there is tissue at
   // a point in rest space. The sources warm their tissue at once. Conduction, perfusion, boiling
   // and coagulation are computed for several frames together, about ten times a second. If there is
-  // no source and no spot is warm, the function changes no spot. Cost: proportional to the number
-  // of spots.
+  // no source and no spot is warm, the spots stay as they are. Cost: proportional to the number of
+  // spots.
   void step(std::span<const HeatSource> sources, double duration,
             const std::function<bool(const Vec3&)>& isTissue);
 

@@ -16,10 +16,12 @@ struct MeshHealth {
   double volume = 0;   // m^3, signed (volume() in geometry/measures.h)
   Aabb bounds;         // m
   int components = 0;  // number of parts that have no point in common
-  int specks = 0;      // number of specks (isSpeck()); 0 unless closed and oriented
+  // Number of components without volume (isSpeck()). It is 0 if the mesh is open or not oriented.
+  int specks = 0;
   bool closed = false;
   bool oriented = false;
-  // The mesh is closed and oriented, but a component that lies inside no other faces inwards.
+  // The mesh is closed and oriented, but at least one outermost component faces inwards. A
+  // component is outermost if no other component contains it.
   bool insideOut = false;
   int boundaryEdges = 0;     // number of edges that belong to an odd number of triangles
   int nonManifoldEdges = 0;  // number of edges that belong to more than two triangles

@@ -32,9 +32,9 @@ struct RepairReport {
 void dropDoubled(TriangleMesh& mesh, RepairReport& report);
 
 // Flips triangles to give neighbouring triangles the same orientation. Two triangles are neighbours
-// if they share an edge that belongs to no third triangle. In each part of the mesh that neighbours
-// connect, all triangles get the orientation that most of them had. For a one-sided surface
-// (Moebius strip) this is impossible: some neighbours still have different orientations.
+// if they share an edge that belongs to no third triangle. Triangles that are connected by a chain
+// of neighbours all get the same orientation: the one that most of them had. For a one-sided
+// surface (Moebius strip) this is impossible: some neighbours still have different orientations.
 void orientConsistently(TriangleMesh& mesh, RepairReport& report);
 
 // Closes every hole of a mesh. Afterwards triangles use each edge equally often in both directions,

@@ -1,5 +1,5 @@
 // Runs a scenario in real time while haptic devices hold its instruments. Measures the forces on
-// the hands, and how late cycles and frames are.
+// the hands, and how late the cycles of the haptic loop and the frames of the simulation are.
 #pragma once
 
 #include <functional>
@@ -21,8 +21,9 @@ struct HandReport {
   double peakForce = 0;      // N
   double peakStiffness = 0;  // largest stiffness of a local model in any direction, N/m
   double largestStep = 0;    // largest change of the force from one cycle to the next, N
-  double correction = 0;     // rms of all ForceRenderer::correction() above 0, N
-  double energy = 0;         // work on the hand in the run, J; below 0: the hand gave energy
+  // Rms of those values of ForceRenderer::correction() that are above 0, N.
+  double correction = 0;
+  double energy = 0;         // work on the hand in the whole run, J; below 0: the hand gave energy
   double mostEnergy = 0;     // largest value of this work during the run, J, >= 0
   std::int64_t guarded = 0;  // cycles in which the passivity guard reduced the force
 };
@@ -36,7 +37,7 @@ struct HapticsReport {
   std::int64_t frames = 0;      // number of frames that the simulation has computed
   std::int64_t lateFrames = 0;  // number of frames that took longer than frameDuration
   double frameDuration = 0;     // simulated time of a frame, s
-  TimeSummary frame;            // computing times of frames, with their local models
+  TimeSummary frame;            // computing times of frames, local models included
   std::vector<HandReport> hands;
 
   // Fraction of the cycles that met their deadline, 0 to 1.
@@ -52,13 +53,13 @@ struct HapticsSetup {
 };
 
 // The scenario's motions are repeated until setup.seconds have passed. Each repetition begins with
-// the simulation's initial state. A device that plays a person (HapticDevice::plays()) gets the
-// pose that the instrument should have in the scenario, in world coordinates. With any other device
-// a person moves the instrument. The origin of such a device's workspace is at the position that
-// the instrument has at the first key of its motion (ToolKey in operation/scenario.h). `progress`
-// gets the fraction of the time that has passed, 0 to 1. Throws Error if a device fails. Also
-// throws Error if the scenario does not move the instrument setup.tool. If setup.tool is empty,
-// throws Error if the scenario moves no instrument.
+// the simulation's initial state. A device may play a person, that is, simulate the hand
+// (HapticDevice::plays()). Such a device gets the pose that the instrument should have in the
+// scenario, in world coordinates. With any other device a person moves the instrument. Then the
+// origin of the device's workspace is at the position that the instrument has at the first key of
+// its motion (ToolKey in operation/scenario.h). `progress` gets the fraction of the time that has
+// passed, 0 to 1. Throws Error if a device fails, or if the scenario does not move the instrument
+// setup.tool. If setup.tool is empty, throws Error if the scenario moves no instrument at all.
 HapticsReport benchHaptics(Simulation& simulation, const Scenario& scenario,
                            const HapticPlugin& plugin, const HapticsSetup& setup,
                            const std::function<void(double)>& progress = {});

@@ -1,10 +1,11 @@
 // The haptic loop: it runs at 1 kHz between hands and simulation, on a thread of its own.
 //
 // In each cycle the loop does the following for each hand. It reads the hand's pose from the
-// device, and evaluates the newest local model at this pose. A passivity guard limits the resulting
-// force, and the loop writes the limited force to the device. Models and poses are exchanged with
-// the simulation through triple buffers. So the loop never waits for the simulation, and keeps its
-// rate even if the simulation is slow or has stopped.
+// device, and evaluates the newest local model at this pose (haptics/local_model.h). A passivity
+// guard limits the resulting force (haptics/passivity_guard.h), and the loop writes the limited
+// force to the device. The deadline of a cycle is 1 ms after the time at which the cycle is due.
+// Models and poses are exchanged with the simulation through triple buffers. So the loop never
+// waits for the simulation, and keeps its rate even if the simulation is slow or has stopped.
 #pragma once
 
 #include <atomic>
@@ -48,10 +49,10 @@ using IntentAt = std::function<HandIntent(std::size_t hand, double time)>;
 class HapticLoop {
  public:
   // Starts the loop. When the constructor returns, pose() of each hand is valid. devices: one
-  // device per hand. seconds: time in which the loop keeps samples, s; later samples are dropped.
-  // The constructor allocates the memory for these samples. intent: may be empty. The constructor
-  // calls `intent` once for each hand. After that the loop's thread calls `intent`, and then
-  // `intent` must not allocate memory.
+  // device per hand. seconds: the loop keeps the samples of the first `seconds` s, and drops later
+  // ones. The constructor allocates the memory for these samples. intent: may be empty. The
+  // constructor calls `intent` once for each hand. All later calls come from the loop's thread; in
+  // these calls `intent` must not allocate memory.
   HapticLoop(std::vector<std::unique_ptr<HapticDevice>> devices, double seconds, IntentAt intent);
   ~HapticLoop();  // stops the loop, which writes forces of zero, and waits for its thread
 

@@ -1,5 +1,6 @@
-// Inventor shape that draws smoke: soft balls that hide some of what is behind them. It comes after
-// everything that smoke can be in front of. Its shader program is that of RoomMaterial::Smoke.
+// Inventor shape that draws smoke: soft balls that hide some of what is behind them. In the scene,
+// this node must come after all nodes that smoke can hide. Its shader program is that of
+// RoomMaterial::Smoke (inventor/gl/materials.h).
 //
 // A shader gets the middle of a ball as gl_Vertex, the corner of the square that shows the ball (-1
 // or 1) as gl_MultiTexCoord1.xy, the ball's radius, m, as gl_MultiTexCoord1.z, and its density as

@@ -9,8 +9,9 @@
 // inventor/gl/SoMarchingCubes.h has an example.
 //
 // A shader gets the present position of a vertex as gl_Vertex, its normal as gl_Normal, its rest
-// position as gl_MultiTexCoord1.xyz, and its cut share as gl_MultiTexCoord2.x. The rest position
-// serves for patterns that move with the tissue. In .iv files the node is written `OrganShape {}`.
+// position as gl_MultiTexCoord1.xyz, and its cut share as gl_MultiTexCoord2.x. The rest position is
+// the position before the operation; with it, shaders draw patterns that move with the tissue. The
+// cut share is explained at the field `cut`. In .iv files the node is written `OrganShape {}`.
 #pragma once
 
 #include <Inventor/fields/SoMFFloat.h>
@@ -46,8 +47,9 @@ class SoOrganShape : public SoShape {
   // fields is set, the surface comes from update() alone.
   SoMFVec3f points;   // m
   SoMFVec3f normals;  // for each point a unit normal, which faces outwards
-  // For each point its cut share: 0 on the capsule, 1 on cut parenchyma. The value -1 means that
-  // the point is on the capsule at the rim of a cut. Missing values count as 0.
+  // For each point its cut share: 0 on the capsule (the organ's outer skin), 1 on a cut face of the
+  // inner tissue. The value -1 means that the point is on the capsule at the rim of a cut. Missing
+  // values count as 0.
   SoMFFloat cut;
   SoMFInt32 coordIndex;  // for each triangle three indices of points, then -1
 
@@ -73,8 +75,8 @@ class SoOrganShape : public SoShape {
   std::vector<Aabb> takeChanged();
   // The highest speed of the vertices that update() has moved since the last call of this function,
   // m/s. Only every 64th of these vertices is examined. The speed of a vertex is the distance by
-  // which an update moved it, divided by the time since its previous update. The result is infinite
-  // if the surface got new vertices or triangles.
+  // which an update moved it, divided by the time since it was last examined. The result is
+  // infinite if the surface got new vertices or triangles.
   double takeSpeed() { return std::exchange(speed_, 0.0); }
 
   // The first point at which a ray meets the present surface. Ray and point are in object space.

@@ -9,10 +9,11 @@
 // its stencil buffer. In the second pass, data/shaders/deferred/gathered.frag shades each marked
 // pixel.
 //
-// A software renderer also evaluates both sides of each branch. So the pixels of rich tissue (cut,
-// bloody, heated, or with a structure under the skin) are marked with a value of their own
-// (data/shaders/deferred/mark_rich.frag). All other pixels are shaded by a second shader program,
-// which does not contain the code for rich tissue (data/shaders/deferred/plain.glsl).
+// A software renderer also evaluates both sides of each branch in a shader. Therefore two shader
+// programs are used. Tissue is rich if it is cut, bloody or heated, or has a structure under the
+// skin. The pixels of rich tissue are marked with a value of their own
+// (data/shaders/deferred/mark_rich.frag). All other pixels are shaded by a program that does not
+// contain the code for rich tissue (data/shaders/deferred/plain.glsl).
 //
 // The group shades in this way if three conditions hold: a shader program is in use, the
 // framebuffer has one sample per pixel, and it has a renderbuffer for depth and stencil. In all

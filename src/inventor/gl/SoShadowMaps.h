@@ -1,8 +1,8 @@
 // Shadow maps of the surgical lamp, and ambient occlusion of the room's light. They serve the nodes
 // that come after this node in the scene.
 //
-// This node draws the shapes under `casters` and `movers` into two depth textures. One texture
-// shows the shapes as seen from the lamp, the other as seen from straight above. From these
+// This node draws the shapes under its fields `casters` and `movers` into two depth textures. One
+// texture shows the shapes as seen from the lamp, the other as seen from straight above. From these
 // textures the node computes, for each point of a square grid over the table, which fraction of the
 // room and which fraction of the lamp can be seen from the point. The shaders of later nodes find
 // the results here:
@@ -20,10 +20,10 @@
 //   translation.
 //
 // In the scene this node must come after the camera. The node redraws the textures only if a
-// caster, a mover or a field has changed. It then redraws only the part that changedIn() was told.
-// Two more depth maps contain the casters alone. In each redraw, these maps are copied, and the
-// movers are drawn over the copies. So the casters are drawn again only if a caster has changed or
-// if the maps are redrawn as a whole.
+// caster, a mover or a field has changed. It then redraws only the part that was passed to
+// changedIn(). Two more depth maps contain the casters alone. In each redraw, these maps are
+// copied, and the movers are drawn over the copies. So the casters are drawn again only if a caster
+// has changed or if the maps are redrawn as a whole.
 //
 // Sources: Williams 1978 (shadow maps), Fernando 2005 (percentage-closer soft shadows), Oat and
 // Sander 2007 (occlusion of the room's light over a height field).

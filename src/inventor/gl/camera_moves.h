@@ -56,10 +56,10 @@ class CameraMoves {
   void lookAt(const Vec3& point);
   Vec3 pointOfInterest() const;
 
-  // Returns the point that is seen at a pixel. The wheel zooms to this point. In three cases the
-  // wheel zooms to another point: the function is not set, it returns no point, or the point is
-  // more than twice as far from the camera as the point of interest. Then the wheel zooms to the
-  // point that lies on the pixel's line of sight, at the depth of the point of interest.
+  // Returns the point that is seen at a pixel. The wheel zooms to this point. There are three
+  // exceptions: this function is not set, it returns no point, or the point is more than twice as
+  // far from the camera as the point of interest. In these cases the wheel zooms to the point on
+  // the pixel's line of sight that has the depth of the point of interest.
   std::function<std::optional<Vec3>(const SbVec2s& pixel, const SbViewportRegion&)> pointUnder;
 
  private:

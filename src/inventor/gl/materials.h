@@ -17,8 +17,10 @@ enum class RoomMaterial {
   Liver,   // wet capsule and cut parenchyma, for SoOrganShape
   Gather,  // stores for each pixel the inputs of Liver's shading; for SoShadeOnce
   Steel,   // instruments; looks like plastic where the specular colour is dark
-  Strand,  // walls of bare vessels, for an SoOrganShape with the looks of vessel_walls.h
-  Cloth,   // the drape on the table, and the drapes of the operative field
+  // Walls of vessels that have no tissue round them. The material is for an SoOrganShape with the
+  // vertices that operation/blood/vessel_walls.h makes.
+  Strand,
+  Cloth,  // the drape on the table, and the drapes of the operative field
   // Still tissue of the operative field. Gut is the material of stomach and bowel.
   Skin,
   Fat,
@@ -31,8 +33,8 @@ enum class RoomMaterial {
 };
 
 // A new node, with the reference count 0. In the scene it must come before the geometry, and after
-// the camera, three spot lights and a SoShadowMaps node. The lights are two lamps and the light at
-// the eye. If a shader does not compile, OffscreenView::render() throws an Error.
+// the camera, three spot lights and a SoShadowMaps node. The spot lights are the two lamps and the
+// light at the viewer's eye. If a shader does not compile, OffscreenView::render() throws an Error.
 SoShaderProgram* makeMaterial(RoomMaterial material);
 
 // A new separator without a render cache. It is meant for contents that change often or that

@@ -58,8 +58,8 @@ class TriangleBlocks {
   // block.
   std::size_t blockCount() const { return blocks_.size(); }
   const Box& boxOf(std::size_t block) const { return blocks_[block].box; }
-  // Call this only after refresh(). Runs in ascending order. They include every triangle of which
-  // some point lies in all the half spaces.
+  // Call this only after refresh(). Runs in ascending order. They include every triangle that has a
+  // point in the intersection of the half spaces.
   std::vector<Run> within(const HalfSpaces& spaces) const;
   // Call this only after refresh(). Runs in ascending order. They include every triangle that the
   // ray meets.

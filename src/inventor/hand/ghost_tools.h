@@ -1,5 +1,5 @@
-// Ghosts are transparent copies of the instruments. They follow the motions that the scenario
-// contains, and so show the user what a good operator does.
+// Ghosts are transparent copies of the instruments. They follow the motions that the scenario gives
+// its instruments. So they show the user what a good operator does.
 #pragma once
 
 #include <span>
@@ -23,7 +23,7 @@ class GhostTools {
   GhostTools& operator=(const GhostTools&) = delete;
 
   bool any() const { return !ghosts_.empty(); }  // whether the scenario contains motions
-  // show() shows the ghosts at one time of the motions. time: seconds since the start of the
+  // show() shows the ghosts at their poses for a given time. time: seconds since the start of the
   // motions. When the motions end, they start again. hide() hides the ghosts. Both functions return
   // the box that must be drawn again; world, m. The box is empty if nothing has changed visibly.
   Aabb show(double time);

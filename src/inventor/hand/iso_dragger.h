@@ -1,5 +1,6 @@
-// A dragger in the scene that sets the iso level, as in the original thesis. The dragger slides
-// along a vertical scale. The iso level is written above the scale.
+// A dragger in the scene that sets the iso level, the value of the colour field that defines the
+// organ's surface. The dragger slides along a vertical scale. The iso level is written above the
+// scale.
 #pragma once
 
 #include <functional>

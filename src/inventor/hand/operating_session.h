@@ -1,5 +1,6 @@
 // An interactive operation without its window. It consists of the operating room, the handling of
-// instruments, the camera, the scale of the iso level, and the live operation (LiveOperation).
+// instruments, the camera, the scale of the iso level (inventor/hand/iso_dragger.h), and the live
+// operation (LiveOperation).
 //
 // The only inputs are Inventor events, and calls of the functions below. So any window toolkit can
 // use this class, and so can a test.
@@ -31,8 +32,9 @@ namespace resect {
 
 class OperatingSession {
  public:
-  // At first the tools are at their rest poses. aspect (here and below): width / height of the
-  // picture. watch, history, paused: as in the constructor of LiveOperation.
+  // At first the tools are at their rest poses. A tool has its rest pose when it is not in use.
+  // aspect (here and below): width / height of the picture. watch, history, paused: as in the
+  // constructor of LiveOperation.
   OperatingSession(const Scenario& scenario, std::unique_ptr<Simulation> simulation, double aspect,
                    OperationWatch watch = {}, std::optional<OperationHistory> history = {},
                    bool paused = false);
@@ -41,8 +43,8 @@ class OperatingSession {
   // corner of the viewport. Returns whether a tool, a dragger or the camera has used the event.
   bool handle(const SoEvent& event, const SbViewportRegion& viewport);
 
-  // Brings the scene up to date with the operation, and runs Inventor's sensors. Returns the damage
-  // since the last call of update().
+  // Brings the scene up to date with the operation, and runs Inventor's sensors. Returns the parts
+  // of the picture that must be drawn again because of changes since the last call of update().
   Damage update();
   // Tells the operation which tools have their tips in the picture.
   void noteSight(const SbViewportRegion& viewport);
@@ -57,13 +59,14 @@ class OperatingSession {
   // Whether the motions have reached their end, and nobody has taken an instrument since.
   bool playedOut() const { return playedOut_; }
 
-  // These three functions show an earlier or later moment of the operation. undo() shows the moment
-  // before the last stroke. redo() shows the moment at which the last undo() was called. show()
-  // shows any moment (LiveOperation::show()). The tools go to the poses that they had at the shown
-  // moment. The operation continues from the shown moment when goOn() is called, or when the hand
-  // takes, moves or lets go an instrument. An instrument that only hovers has no such effect. All
-  // three functions stop the scenario's motions. If there is nothing to undo or redo, the operation
-  // stays at its present moment.
+  // These three functions show an earlier or later moment of the operation. A stroke is a period in
+  // which instruments work on organs. undo() shows the moment before the last stroke. redo() shows
+  // the moment at which the last undo() was called. show() shows any moment
+  // (LiveOperation::show()). The tools go to the poses that they had at the shown moment. The
+  // operation continues from the shown moment when goOn() is called, or when the hand takes, moves
+  // or lets go an instrument. If an instrument only hovers over the surface, its motion does not
+  // count. All three functions stop the scenario's motions. If there is nothing to undo or redo,
+  // the operation stays at its present moment.
   void undo();
   void redo();
   void show(Moment moment);
@@ -92,12 +95,12 @@ class OperatingSession {
   // Moves and turns the tool in hand. If the hand is empty, moves the camera instead.
   void follow(const ViewMotion& motion);
   // Places the camera for one of the fixed views of the room. The surgeon's view is a close-up: the
-  // organs fill about half of the picture. In thesis mode the surgeon's view shows all that
-  // viewAll() shows.
+  // organs fill about half of the picture. In thesis mode (docs/window.md) the surgeon's view shows
+  // all that viewAll() shows.
   void look(RoomView view, double aspect);
-  // Moves the camera without turning it. Then the picture contains the organs, the rest poses of
-  // the instruments unless the operative field is shown, and the scale of the iso level unless the
-  // scale is hidden.
+  // Moves the camera without turning it, so that the picture contains the organs and the scale of
+  // the iso level, if the scale is shown. If the table is shown, the picture also contains the
+  // instruments at their rest poses.
   void viewAll(double aspect);
   // Multiplies the camera's distance from its point of interest by `factor`.
   void zoom(double factor);
@@ -174,15 +177,15 @@ class OperatingSession {
   // For each tool: boxes of the slices into which its mesh is cut along the Z axis; in the tool's
   // frame, m.
   std::vector<std::vector<Aabb>> toolSlices_;
-  // For each tool: the boxes of its slices after its last motion; world, m. If the tool had a
-  // manipulator then, this is its bounding box instead.
+  // For each tool: the boxes of its slices after its last motion; world, m. If the tool was held
+  // with a manipulator, this is its bounding box instead.
   std::vector<std::vector<Aabb>> shownSlices_;
   std::shared_ptr<const LooseBlood> loose_;  // blood that was drawn last
   std::shared_ptr<const BareVessels> bare_;  // vessels that were drawn last
   Aabb smokeBox_;                            // round the smoke that was drawn last
   Aabb markerBox_;          // box of the marker at the tip that was shown last; world, m
   std::int64_t asked_ = 0;  // number of the last request to the operation
-  // goOn() was called, and the operation still shows a moment.
+  // goOn() was called, and the operation still shows an earlier or later moment.
   bool goingOn_ = false;
   bool following_ = false;  // the tools are being set to the operation's poses
   bool playing_ = false, playedOut_ = false;

@@ -28,13 +28,13 @@ class PointedSurface {
   // surfaces themselves, an instrument that dents the tissue would follow its own dent down.)
   void begin(const SurfacePoint& first);
   void end();
-  // The next point of the path along which the instrument presses. pixel: where the pointer is. If
-  // the path begins beside the organs, it goes on to the first organ that the pointer meets. From
-  // then on, the path follows the organs as long as it does not jump in depth. It jumps if the
-  // surface at the pixel is more than 20 mm from the depth of the last point, and also more than
-  // twice the distance that the pointer has moved at this depth. If the path jumps, or if no organ
-  // is at the pixel, the next point has the depth of the last point. (Depth is measured at right
-  // angles to the plane of the picture.) Returns nothing if the last point is behind the camera.
+  // The next point of the path along which the instrument presses. pixel: where the pointer is. Let
+  // q be the point on the pixel's line of sight that has the depth of the last point. (Depth is
+  // measured at right angles to the plane of the picture.) Let s be the point of an organ that is
+  // seen at the pixel. The next point is s if s is near q, otherwise q. If there is no s, the next
+  // point is q. s counts as near q if its distance from q is at most 20 mm, or at most twice the
+  // distance from the last point to q. If the path begins beside the organs, the first s counts as
+  // near. Returns nothing if the last point is behind the camera.
   std::optional<SurfacePoint> along(const SbVec2s& pixel, const SbViewportRegion& viewport);
   // Whether the last call of along() has brought a path that began beside the organs onto an organ,
   // over a distance of more than 20 mm.

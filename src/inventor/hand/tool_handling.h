@@ -1,12 +1,12 @@
 // Lets the user take and move tools with mouse and keyboard.
 //
-// A tool can be held with a manipulator, as in the original thesis. There are two manipulators: a
-// handle box, which moves the tool, and a trackball, which turns the tool. A left click on a tool
-// replaces the tool's SoTransform by a manipulator. At first this manipulator is the handle box.
-// Later it is the manipulator that was used last. A middle click replaces the handle box by the
-// trackball, or the trackball by the handle box. A left click beside all tools lets go of the tool
-// in hand and restores its SoTransform. If the user tries to scale the tool with the handle box,
-// the tool keeps its size and its position.
+// A tool can be held with a manipulator. There are two manipulators: a handle box, which moves the
+// tool, and a trackball, which turns the tool. A left click on a tool replaces the tool's
+// SoTransform by a manipulator. At first this manipulator is the handle box. Later it is the
+// manipulator that was used last. A middle click replaces the handle box by the trackball, or the
+// trackball by the handle box. A left click beside all tools lets go of the tool in hand and
+// restores its SoTransform. If the user tries to scale the tool with the handle box, the tool keeps
+// its size and its position.
 //
 // A tool can also be held directly. If the user drags the tool, it moves parallel to the plane of
 // the picture. The wheel moves the tool in depth. With Shift, dragging and the wheel turn the tool
@@ -95,10 +95,10 @@ class ToolHandling {
   // its rest pose, the tool gets the rotation workingRotation() (operation/room.h), and its tip
   // moves to where the middle of the tool was.
   void hold(int tool, Hold how);
-  // Calls hold(tool, usual()). If the tool was at its rest pose, its tip moves to readyPlace; a
-  // guided tool moves to the pointer instead if the pointer is over a surface. If guide() was
-  // called, the tool that was in hand before is left at work if it was pressing, and otherwise put
-  // back.
+  // Calls hold(tool, usual()). If the tool was at its rest pose, its tip moves to readyPlace. If
+  // the tool is guided and the pointer is over a surface, the tool moves to the pointer instead. If
+  // guide() was called, the tool that was in hand before is put back. But if that tool was
+  // pressing, it is left at work.
   void take(int tool);
   // Leaves the tool in hand at work, until it is taken again or put back.
   void leave();
@@ -133,7 +133,7 @@ class ToolHandling {
   // close the jaws or to press the pedal.
   std::function<void()> changed;
   // Called when the user releases the mouse button after dragging a tool, or after working with a
-  // guided tool. leave() calls this function, too.
+  // guided tool. Also called by leave().
   std::function<void()> released;
 
  private:

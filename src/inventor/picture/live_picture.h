@@ -6,9 +6,9 @@
 // - While the scene changes, changed soft shadows are drawn only in every third to eighth picture.
 // - If drawing takes longer than setLongestPicture() allows, large changed parts are drawn at a
 //   lower resolution.
-// - Edges are not antialiased. When nothing moves any more, the caller requests an antialiased
-//   picture from drawSmooth(), strip by strip. Strips that were drawn at a lower
-//   resolution are drawn at full resolution first, by drawSharp().
+// - Edges are not antialiased while the scene changes. When nothing moves any more, the caller
+//   requests an antialiased picture from drawSmooth(), strip by strip. Parts that were drawn at a
+//   lower resolution are first drawn at full resolution by drawSharp().
 // The caller needs to read only the pixels that may have changed (read()).
 #pragma once
 

@@ -1,5 +1,5 @@
-// Marks the ends at which vessels bleed. Each end gets a ring. The more an end bleeds, the larger
-// is its ring. The marks are meant for instruments that can stop bleeding.
+// Marks the open ends of vessels that bleed. Each end gets a ring. The more an end bleeds, the
+// larger is its ring. The marks are meant for instruments that can stop bleeding.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace resect {
 
-// m^3/s: the caller of bleedingRings() leaves out ends that bleed less.
+// Least flow out of an end, m^3/s. The caller of bleedingRings() leaves out ends that bleed less.
 inline constexpr double kLeastMarkedFlow = 3e-9;
 
 // The rings of all `ends`. chosen: the point at which the instrument in hand works when it is

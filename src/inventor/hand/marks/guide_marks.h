@@ -1,6 +1,6 @@
-// Draws guidance into the scene: lines that mark the places of a task's goal. The colour of the
-// lines shows how well the instrument in hand keeps to the goal. The lines are visible through
-// tissue, too.
+// Draws the guidance of a task into the scene. A task is an exercise with a goal, and lines mark
+// the places of this goal. The colour of the lines shows how well the instrument in hand keeps to
+// the goal. The lines are visible through tissue, too.
 #pragma once
 
 #include <optional>
@@ -36,11 +36,11 @@ struct GuidedTip {
   Vec3 tip, shaft;
 };
 
-// Distance of the instrument from what it should keep to, m. Targets: distance of the tip from the
-// next target. Line: distance of the polyline from the straight line between the tip and the point
-// of the shaft. Plane: distance of the tip from the plane. Ball: distance of the tip from the
-// surface of the ball; it is negative inside the ball. Returns nothing if the guide has no places,
-// or no next target.
+// Distance of the instrument from the guide, m. Targets: distance of the tip from the next target.
+// Line: distance between the polyline and the line segment from the tip to the point of the shaft.
+// Plane: distance of the tip from the plane. Ball: distance of the tip from the surface of the
+// ball; it is negative inside the ball. Returns nothing if the guide has no places, or no next
+// target.
 std::optional<double> distanceFrom(const Guide& guide, const GuidedTip& tip);
 
 // How well an instrument keeps to a guide. This depends on the distance that distanceFrom() gives:

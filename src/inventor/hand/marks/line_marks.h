@@ -1,5 +1,5 @@
-// Lines in the scene that inform the user. Lamps do not change their colours, and the mouse cannot
-// pick them.
+// Lines in the scene that inform the user. The lines are drawn without lighting, and the mouse
+// cannot pick them.
 #pragma once
 
 #include <vector>
