@@ -1,5 +1,6 @@
-// Marching cubes cases of a brick's 64 cells: which corners are inside, found for all cells at once
-// with bit operations.
+// Marching cubes cases of a brick's 64 cells. The case of a cell says which of its corners are
+// inside. Bit operations find the cases of all cells at once. A brick is a block of 4 x 4 x 4
+// nodes; each node is the lowest corner of one of the cells.
 //
 // The functions are inlined, so that they are compiled for the instruction set of their caller.
 #pragma once

@@ -205,7 +205,7 @@ class OperatingRoom {
   SoPerspectiveCamera* camera_;
   SoSpotLight* lamps_[2];
   LampPlace lampPlace_ = LampPlace::PatientsRight;
-  Aabb lit_;           // what the lamps are aimed at
+  Aabb lit_;           // the box of the last lightUp()
   SoSpotLight* head_;  // the light at the eye
   SoSwitch* scope_;    // the mask round a laparoscope's picture
   SoShadowMaps* shadows_;
