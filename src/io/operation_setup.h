@@ -42,11 +42,11 @@ TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readMod
 //   file's lattice.
 // If cells are sampled and the source has neither spacing nor dims, a spacing is chosen
 // (collision/coarsest_cell.h), and a note tells this spacing. `surface` may be null. Otherwise
-// *surface receives the surface from which the cells were sampled. It becomes empty if the cells
-// are those of a file. If tissue is thinner than two cells, `notes` says so
-// (collision/wall_thickness.h). Throws Error if there is no particle, that is, no cell whose centre
-// is inside the tissue. Also throws Error if a label marks no particle, or if the cells are so
-// large that half of the tissue would be lost.
+// *surface receives the surface from which the cells were sampled. *surface becomes empty if the
+// cells are taken from a file of particles without sampling. If tissue is thinner than two cells,
+// `notes` says so (collision/wall_thickness.h). Throws Error if there is no particle, that is, no
+// cell whose centre is inside the tissue. Also throws Error if a label marks no particle, or if the
+// cells are so large that half of the tissue would be lost.
 Discretization loadCells(const OrganSource& source, const ModelReader& readModel,
                          const Progress& progress = {}, std::vector<std::string>* notes = nullptr,
                          std::optional<Pose>* place = nullptr, TriangleMesh* surface = nullptr);
@@ -59,11 +59,11 @@ ToolModel loadTool(const std::string& name, const ModelReader& readModel);
 std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
                                              const ModelReader& readModel);
 
-// The tissue of one organ, at rest. Throws Error if an attachment of elastic tissue contains no
-// particle, if a material is for a label that no particle has, or if a setting is out of range.
-// There is one exception: an attachment whose region is given in fractions of the organ's box may
-// have been made for an organ of another shape. If such an attachment contains no particle, it is
-// left out with a note.
+// The tissue of one organ, at rest. An attachment is a region in which the organ is held. Throws
+// Error if an attachment of elastic tissue contains no particle, if a material is given for a label
+// that no particle has, or if a setting is out of range. There is one exception: an attachment
+// whose region is given in fractions of the organ's box may have been made for an organ of another
+// shape. If such an attachment contains no particle, it is left out with a note.
 std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& organ,
                                         std::vector<std::string>* notes = nullptr);
 
@@ -89,7 +89,8 @@ Simulation assemble(const Scenario& scenario, std::vector<OperatedOrgan> organs,
                     std::vector<TissueJoint> joints, std::vector<std::unique_ptr<Tool>> tools,
                     std::vector<std::string>* notes = nullptr);
 
-// Adds a note if frames will take long (operation/frame_estimate.h).
+// Adds a note if the computation of a frame is expected to take longer than kSlowFrame
+// (operation/frame_estimate.h).
 void noteSlowFrames(const Simulation& simulation, const Scenario& scenario,
                     std::vector<std::string>* notes);
 

@@ -1,7 +1,7 @@
 // Normals and cut shares of a brick's vertices. A brick is a block of 4 x 4 x 4 nodes of the colour
 // field.
 //
-// Only pictures need them. The simulation uses neither normals nor cut shares. A normal is the
+// Only pictures need normals and cut shares; the simulation does not use them. A normal is the
 // negative gradient of the field, normalised. The gradient is found by a 3D Sobel operator: central
 // differences along one axis, averaged over the other two axes with weights 1 2 1. (Zucker and
 // Hummel 1981 compare this operator with others.) Plain central differences would show the lattice

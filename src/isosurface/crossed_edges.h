@@ -1,5 +1,5 @@
 // The grid edges of a brick that cross the surface, and the numbering of their vertices. A brick is
-// a block of 4 x 4 x 4 nodes.
+// a block of 4 x 4 x 4 nodes of the colour field. A grid edge joins two neighbouring nodes.
 //
 // A vertex belongs to the grid edge on which it lies. A grid edge belongs to the brick that
 // contains the edge's lower node. Within a brick an edge has the number 64 * axis + n, where n is

@@ -19,8 +19,8 @@
 namespace resect {
 
 struct PolygoniseSettings {
-  // Length, m, > 0. Few edges of the mesh are longer than `edge`; their mean length is about three
-  // quarters of `edge`. Parts of the body that are thinner than `edge` may be lost.
+  // Length, m, > 0. Few edges of the mesh are longer than `edge`. The mean length of all its edges
+  // is about three quarters of `edge`. Parts of the body that are thinner than `edge` may be lost.
   double edge = 0.0025;
   // Largest slope of the function (Lipschitz constant), > 0. A block of cubes is skipped if the
   // value at its centre shows that the surface cannot reach the block. Infinite: nothing is

@@ -38,7 +38,8 @@ struct BenchReport {
   std::int64_t inHand = 0;    // number of frames with an instrument in hand
   Updates updates;
   std::int64_t substeps = 0;         // time steps of moving tissue, sum over all organs
-  double perParticleAndSubstep = 0;  // mean time in the stage moveTissue, s; 0 for still tissue
+  double perParticleAndSubstep = 0;  // mean time in the stage moveTissue per particle and substep,
+                                     // s; 0 for still tissue
   std::string instructionSet;        // used by the kernels for moving tissue
   std::uint64_t stateHash = 0;       // at the end; equals RunSummary::stateHash
 

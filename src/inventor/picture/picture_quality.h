@@ -1,4 +1,4 @@
-// How carefully pictures for files are drawn.
+// Quality settings for pictures that are written to files.
 #pragma once
 
 #include <optional>

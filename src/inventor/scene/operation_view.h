@@ -31,7 +31,7 @@ Vec3f organColour(const OrganSource& organ);
 class OperationView {
  public:
   // Sets up room, tools and organs, and calls simulation.keepLook(). Aims the lamps at the organs.
-  // If scenario.closeUp is set, aims the camera at this box, otherwise at the organs. aspect:
+  // Aims the camera at the box scenario.closeUp if it is set, otherwise at the organs. aspect:
   // width / height of the picture. If no view has the name scenario.view (roomView()), throws an
   // Error that lists the views.
   OperationView(const Scenario& scenario, Simulation& simulation, double aspect);
@@ -48,8 +48,8 @@ class OperationView {
 
   RgbImage draw(OffscreenView& picture) const;
 
-  // field = true: shows the operative field round the organs. Tools are then hidden while they are
-  // at their rest poses, since unused instruments then lie on a stand outside the picture. field =
+  // field = true: shows the operative field round the organs. In the field, tools are hidden while
+  // they are at their rest poses: unused instruments lie on a stand outside the picture. field =
   // false: shows the table and the tool box, if the scenario has them.
   void showField(bool field);
 

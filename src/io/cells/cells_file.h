@@ -50,7 +50,7 @@ inline bool isCellsFile(const std::filesystem::path& path) {
 
 // The bytes of a *.resect-cells file. Throws Error if one of these conditions is not met:
 // - There are 1 to kMaxCells cells, and fewer than a million along each axis.
-// - The coordinates of the origin and the spacing are below 1000 km.
+// - The coordinates of the lattice's origin are below 1000 km, and so is the spacing.
 // - Names are in UTF-8.
 // - The header has at most 1 MB.
 std::string formatCells(const KeptCells& kept);
