@@ -9,12 +9,12 @@
 
 namespace resect {
 
-// Returns one drawn part for each part of the model. If the file gives a finish (tools/finish.h)
-// for the part, the drawn part gets this finish. If the file gives a normal for every point of the
-// part, points and normals are taken unchanged. Otherwise the part is welded
-// (geometry/repair/weld.h), so that viewers can compute smooth normals from its triangles. If the
-// surface is closed but oriented inwards, its triangles are flipped. A part that has no triangles
-// after welding is left out.
+// Returns one drawn part for each part of the model. A finish is the colour and gloss of a surface
+// (tools/finish.h). If the file gives a finish for the part, the drawn part gets this finish. If
+// the file gives a normal for every point of the part, points and normals are taken unchanged.
+// Otherwise the part is welded (geometry/repair/weld.h), so that viewers can compute smooth normals
+// from its triangles. If the surface is closed but oriented inwards, its triangles are flipped. A
+// part that has no triangles after welding is left out.
 //
 // If jaws.opening > 0, parts whose names begin with JawUpper or JawLower are jaws. In the model the
 // jaws are wide open: about the axis jaws.axis through the point jaws.pivot, JawUpper is turned by

@@ -7,10 +7,10 @@
 
 namespace resect {
 
-// Checks that writeMeshFile() can write to `path`. To be called before long work whose result goes
-// there. Throws a usage Error unless the extension is .obj, .stl, .ply, .vtk or .iv, in upper or
-// lower case, or `path` is a device or pipe without an extension. Then calls findTarget()
-// (io/output/output_target.h), which throws further Errors.
+// Checks that writeMeshFile() can write to `path`. To be called before a long computation whose
+// result is written to `path`. The extension must be .obj, .stl, .ply, .vtk or .iv, in upper or
+// lower case. A device or pipe may also have no extension. Otherwise throws a usage Error. Then
+// calls findTarget() (io/output/output_target.h), which throws further Errors.
 void checkWritableMeshFile(const std::filesystem::path& path);
 
 // Writes the mesh, atomically (io/output/atomic_file.h) and in metres. The extension decides the

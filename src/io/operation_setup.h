@@ -42,10 +42,11 @@ TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readMod
 //   file's lattice.
 // If cells are sampled and the source has neither spacing nor dims, a spacing is chosen
 // (collision/coarsest_cell.h), and a note tells this spacing. `surface` may be null. Otherwise
-// *surface receives the surface from which the cells were sampled. It becomes empty if the cells
-// are those of a file. Walls that are thinner than two cells get a note
-// (collision/wall_thickness.h). Throws Error if a label marks no particle, if there is no particle,
-// or if the cells are so large that half of the tissue would be lost.
+// *surface receives the surface from which the cells were sampled. *surface becomes empty if the
+// cells are taken from a file of particles without sampling. If tissue is thinner than two cells,
+// `notes` says so (collision/wall_thickness.h). Throws Error if there is no particle, that is, no
+// cell whose centre is inside the tissue. Also throws Error if a label marks no particle, or if the
+// cells are so large that half of the tissue would be lost.
 Discretization loadCells(const OrganSource& source, const ModelReader& readModel,
                          const Progress& progress = {}, std::vector<std::string>* notes = nullptr,
                          std::optional<Pose>* place = nullptr, TriangleMesh* surface = nullptr);
@@ -58,26 +59,28 @@ ToolModel loadTool(const std::string& name, const ModelReader& readModel);
 std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
                                              const ModelReader& readModel);
 
-// The tissue of one organ, at rest. Throws Error if an attachment of elastic tissue contains no
-// particle, if a material is for a label that no particle has, or if a setting is out of range.
-// There is one exception: an attachment whose region is given in fractions of the organ's box may
-// have been made for an organ of another shape. If such an attachment contains no particle, it is
-// left out with a note.
+// The tissue of one organ, at rest. An attachment is a region in which the organ is held. Throws
+// Error if an attachment of elastic tissue contains no particle, if a material is given for a label
+// that no particle has, or if a setting is out of range. There is one exception: an attachment
+// whose region is given in fractions of the organ's box may have been made for an organ of another
+// shape. If such an attachment contains no particle, it is left out with a note.
 std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& organ,
                                         std::vector<std::string>* notes = nullptr);
 
-// All organs of the scenario, at rest. Ways of tools are converted to keys in the scenario
-// (operation/way/place_ways.h).
+// All organs of the scenario, at rest. The motion of a tool may be given in an organ's own
+// coordinates. Such a motion is converted to keys in world coordinates
+// (operation/way/place_ways.h), which are stored in `scenario`.
 std::vector<OperatedOrgan> loadOrgans(Scenario& scenario, const ModelReader& readModel,
                                       const Progress& progress = {},
                                       std::vector<std::string>* notes = nullptr);
-// The springs of all joints of the scenario. In thesis mode there are none. Throws Error if a joint
-// names an organ that does not exist, or if no two cells are near enough to be joined.
+// The springs of all joints of the scenario. A joint connects two organs. In thesis mode there are
+// no springs. Throws Error if a joint names an organ that does not exist, or if no two cells are
+// near enough to be joined.
 std::vector<TissueJoint> makeJoints(const Scenario& scenario,
                                     const std::vector<OperatedOrgan>& organs);
 
-// Makes a simulation of organs, joints and tools, with the scenario's first wounds, table and
-// breathing, and with what stands round the organs.
+// Makes a simulation of organs, joints and tools. The wounds that exist at the start, the table and
+// the breathing come from the scenario. surroundings: the bodies that stand round the organs.
 Simulation assemble(const Scenario& scenario, std::vector<OperatedOrgan> organs,
                     std::vector<TissueJoint> joints, std::vector<std::unique_ptr<Tool>> tools,
                     Surroundings surroundings);
@@ -86,7 +89,8 @@ Simulation assemble(const Scenario& scenario, std::vector<OperatedOrgan> organs,
                     std::vector<TissueJoint> joints, std::vector<std::unique_ptr<Tool>> tools,
                     std::vector<std::string>* notes = nullptr);
 
-// Adds a note if frames will take long (operation/frame_estimate.h).
+// Adds a note if the computation of a frame is expected to take longer than kSlowFrame
+// (operation/frame_estimate.h).
 void noteSlowFrames(const Simulation& simulation, const Scenario& scenario,
                     std::vector<std::string>* notes);
 

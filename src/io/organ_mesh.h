@@ -24,8 +24,9 @@ struct OrganMesh {
   TriangleMesh mesh;  // welded, closed, consistently oriented outwards
   MeshHealth health;  // of `mesh`
   double volume = 0;  // of the tissue, m^3, without cavities
-  // The shells of the surface before any was left out; empty if there is only one shell. Shells of
-  // the kind Within bound no tissue. They are left out of `mesh`, unless they reach through others.
+  // The shells of the surface, including those that are not in `mesh`; empty if there is only one
+  // shell. Shells of the kind Within bound no tissue. `mesh` contains such a shell only if the
+  // shell intersects a shell of another kind.
   std::vector<Shell> shells;
   RepairReport repairs;
   std::vector<std::string> notes;  // one sentence for people about each repair or doubt

@@ -12,10 +12,11 @@ namespace resect {
 
 // Reads a .ply file of the form that writeMeshFile() (io/mesh_file.h) writes: little endian,
 // doubles, triangles, metres. If `path` has another extension, reads instead the .ply file that
-// lies beside it and differs only in the extension. The models of the instruments that come with
-// Resect are .iv files. So these instruments can be simulated without Inventor. The function is a
-// ModelReader (io/operation_setup.h); it ignores `parts`. Cost: one pass over the bytes. Throws
-// Error if the .ply file does not exist, is truncated or has another form.
+// lies beside it and differs only in the extension. The model of each instrument that comes with
+// Resect is an .iv file with such a .ply file beside it. So these instruments can be simulated
+// without Inventor. The function is a ModelReader (io/operation_setup.h); it ignores `parts`. Cost:
+// one pass over the bytes. Throws Error if the .ply file does not exist, is truncated or has
+// another form.
 Model readPlainMesh(const std::filesystem::path& path, const std::string& parts = {});
 // Does the same with the bytes of a file. Errors use `name` as the file's name.
 Model parsePlainMesh(std::string_view bytes, const std::string& name);

@@ -13,14 +13,15 @@
 namespace resect {
 
 // Adds the surfaces of the source's cavities to the organ's surface, with triangles that face into
-// the cavities. So a cavity contains no tissue, also where it extends beyond the organ. All
+// the cavities. So no tissue lies in a cavity, even where the cavity extends beyond the organ. All
 // surfaces have the coordinates of the files, in metres. `notes` gets a sentence for each cavity.
 // Throws Error if a cavity and the organ have no volume in common.
 TriangleMesh hollowed(TriangleMesh organ, const OrganSource& source, const ModelReader& readModel,
                       std::vector<std::string>* notes);
 
-// A sentence for people if all parts of the model become the organ's body although some have names
-// of structures: it says how these get their roles. Otherwise "".
+// A sentence for people, or "". There is a sentence if all parts of the model become the organ's
+// own tissue, but some parts have names of structures, such as tumours. The sentence then says by
+// which options these parts get their roles.
 std::string namedStructuresNote(const Model& model, const OrganSource& source);
 
 // Adds the source's landmarks, labels and structures to the cells. place: pose of the organ's file

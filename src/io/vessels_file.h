@@ -10,7 +10,7 @@
 //   parent);
 // - the three coordinates of its end;
 // - its radius;
-// - 1 if the segment ends among the sinusoids, otherwise 0.
+// - 1 if the segment ends among the sinusoids (the capillaries of the liver), otherwise 0.
 // Lengths are in mm.
 #pragma once
 

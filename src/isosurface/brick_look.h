@@ -1,6 +1,7 @@
-// Normals and cut shares of a brick's vertices.
+// Normals and cut shares of a brick's vertices. A brick is a block of 4 x 4 x 4 nodes of the colour
+// field.
 //
-// Only pictures need them. The simulation uses neither normals nor cut shares. A normal is the
+// Only pictures need normals and cut shares; the simulation does not use them. A normal is the
 // negative gradient of the field, normalised. The gradient is found by a 3D Sobel operator: central
 // differences along one axis, averaged over the other two axes with weights 1 2 1. (Zucker and
 // Hummel 1981 compare this operator with others.) Plain central differences would show the lattice
@@ -24,8 +25,8 @@ namespace resect {
 // before: value of the colour field at the point before any edit. iso: the iso level.
 float cutShare(float before, float iso);
 
-// Replaces the cut share of a vertex that belongs to the organ's outer surface and lies on the rim
-// of a cut. Viewers draw the rim as a thin line.
+// This value replaces the cut share of a vertex that belongs to the organ's outer surface and lies
+// on the rim of a cut. Viewers draw the rim as a thin line.
 constexpr float kRimShare = -1;
 
 // Writes the normal (unit, towards less tissue) and the cut share of each vertex. edges: for each

@@ -1,4 +1,5 @@
-// Vertices of the iso-surface in one brick of the colour field.
+// Vertices of the iso-surface in one brick of the colour field, which is a block of 4 x 4 x 4
+// nodes.
 //
 // The vertices lie on the grid edges that belong to the brick (isosurface/crossed_edges.h). Their
 // normals come from isosurface/brick_look.h. Cost: about 100 operations per brick and 25 more per

@@ -1,5 +1,6 @@
-// Marching cubes cases of a brick's 64 cells: which corners are inside, found for all cells at once
-// with bit operations.
+// Marching cubes cases of a brick's 64 cells. The case of a cell says which of the cell's corners
+// are inside. Bit operations find the cases of all cells at once. A brick is a block of 4 x 4 x 4
+// nodes; each node is the lowest corner of one of the cells.
 //
 // The functions are inlined, so that they are compiled for the instruction set of their caller.
 #pragma once
@@ -31,10 +32,11 @@ namespace resect {
 }
 
 // Which corners of the 64 cells are inside. `inside`: the inside masks of the brick and of its
-// seven upper neighbours. The brick has index 0. The index of a neighbour is a sum: 1 if the
-// neighbour is shifted along x, plus 2 if it is shifted along y, plus 4 if it is shifted along z.
-// Mask c of the result has one bit per cell: whether corner c of the cell is inside. The corners of
-// a cell are numbered in the same way as the neighbours. Mask 0 is the brick's own inside mask.
+// seven upper neighbours, which lie next to it in the positive directions. The brick has index 0.
+// The index of a neighbour is a sum: 1 if the neighbour is shifted along x, plus 2 if it is shifted
+// along y, plus 4 if it is shifted along z. Mask c of the result has one bit per cell: whether
+// corner c of the cell is inside. The corners of a cell are numbered in the same way as the
+// neighbours. Mask 0 is the brick's own inside mask.
 [[gnu::always_inline]] inline std::array<std::uint64_t, 8> cornerMasks(
     const std::array<std::uint64_t, 8>& inside) {
   // The mask `own` shifted by one node along an axis; bits of the neighbour's mask fill the gap.
@@ -132,8 +134,8 @@ const std::array<std::int8_t, 256>& trianglesBeyondOneLoop();
 // - On one of its faces, exactly two corners are inside, and these are diagonally opposite.
 // - Each of two opposite corners of the cell differs from all three corners to which an edge joins
 //   it. (Two corners differ if exactly one of the two is inside.)
-// Such cells are few. For these cells trianglesBeyondOneLoop() is added. Cost: some 110
-// instructions.
+// Such cells are few. For these cells the value from trianglesBeyondOneLoop() is added. Cost: some
+// 110 instructions.
 [[gnu::always_inline]] inline int countTriangles(const std::array<std::uint64_t, 8>& c,
                                                  std::uint64_t cells) {
   // Crossed edges along x, y and z, by their lower corners.

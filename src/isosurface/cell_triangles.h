@@ -1,10 +1,10 @@
 // Triangles of a brick's cells, from the marching cubes table and the indices of vertices on edges.
 //
 // An EdgeTable holds the index of the vertex on every edge that the brick's cells can use: the
-// brick's own edges, and the edges shared with the bricks above it. The four edges of a cell along
-// one axis occupy two pairs of neighbouring entries of the table. So six loads, each of one pair,
-// fetch the indices for all twelve edges of a cell. A shuffle of these twelve indices gives the
-// corners of the cell's triangles.
+// brick's own edges, and the edges shared with its neighbours in the positive directions. The four
+// edges of a cell along one axis occupy two pairs of neighbouring entries of the table. So six
+// loads, each of one pair, fetch the indices for all twelve edges of a cell. A shuffle of these
+// twelve indices gives the corners of the cell's triangles.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// The grid edges of a brick that cross the surface, and the numbering of their vertices.
+// The grid edges of a brick that cross the surface, and the numbering of their vertices. A brick is
+// a block of 4 x 4 x 4 nodes of the colour field. A grid edge joins two neighbouring nodes.
 //
 // A vertex belongs to the grid edge on which it lies. A grid edge belongs to the brick that
 // contains the edge's lower node. Within a brick an edge has the number 64 * axis + n, where n is
@@ -50,7 +51,8 @@ struct BrickSigns {
 // the value kNoEdge, so that a loop may take kStep elements at a time.
 struct CrossedEdges {
   static constexpr int kStep = 8, kMost = kBrickEdges + kStep;
-  std::array<std::uint8_t, kMost> number;  // the elements after these are not initialised
+  std::array<std::uint8_t, kMost> number;  // elements after the kNoEdge elements are not
+                                           // initialised
 
   explicit CrossedEdges(const BrickSigns& signs) {
     std::uint8_t* end = number.data();

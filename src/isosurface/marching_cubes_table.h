@@ -6,11 +6,12 @@
 //
 // The table is computed. On each face of the cell, inside corners that are neighbours form a run.
 // One line separates each run from the rest of the face, so two inside corners on a diagonal stay
-// apart. The lines on a face depend on that face alone. So the two cells that share a face have the
-// same lines on it, and the surface is closed. The lines on all faces of a cell form closed loops,
-// and each loop is triangulated. A triangulation is excluded if it has a diagonal in a face of the
-// cell. From the remaining triangulations, the one with the best-shaped triangles is chosen.
-// Source: Lorensen and Cline 1987 (the method); Durst 1988 (its ambiguous faces).
+// apart. The lines on a face depend only on which of the face's corners are inside. So the two
+// cells that share a face have the same lines on it, and the surface is closed. The lines on all
+// faces of a cell form closed loops, and each loop is triangulated. A triangulation is excluded if
+// it has a diagonal in a face of the cell. From the remaining triangulations, the one with the
+// best-shaped triangles is chosen. Source: Lorensen and Cline 1987 (the method); Durst 1988 (its
+// ambiguous faces).
 #pragma once
 
 #include <array>

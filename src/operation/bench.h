@@ -37,8 +37,9 @@ struct BenchReport {
   std::vector<Stage> stages;  // in the order in which a step runs them
   std::int64_t inHand = 0;    // number of frames with an instrument in hand
   Updates updates;
-  std::int64_t substeps = 0;         // number for moving tissue, sum over all organs
-  double perParticleAndSubstep = 0;  // mean time in the stage moveTissue, s; 0 for still tissue
+  std::int64_t substeps = 0;         // time steps of moving tissue, sum over all organs
+  double perParticleAndSubstep = 0;  // mean time in the stage moveTissue per particle and substep,
+                                     // s; 0 for still tissue
   std::string instructionSet;        // used by the kernels for moving tissue
   std::uint64_t stateHash = 0;       // at the end; equals RunSummary::stateHash
 
@@ -46,8 +47,8 @@ struct BenchReport {
   bool realTime() const { return frame.p95 <= frameDuration; }
 };
 
-// Runs all frames of the scenario. simulation: made from this scenario, at its start. Only the
-// steps are timed. observer: called after each frame (operation/run.h).
+// Runs all frames of the scenario. simulation: made from this scenario, and not yet stepped. Only
+// the steps are timed. observer: called after each frame (operation/run.h).
 BenchReport benchScenario(Simulation& simulation, const Scenario& scenario,
                           const FrameObserver& observer = {});
 
@@ -59,9 +60,9 @@ struct RealTimeLimit {
 
 // Searches for the largest organ that keeps real time. `first`: the report of the operation with
 // the present spacing. `measure`: runs the operation with another spacing, m, and reports. Tries at
-// most `trials` other spacings, and only organs with at most `mostParticles` particles. Ends
-// earlier if `fails` has at most 15 % more particles than `holds`. Also ends earlier if the numbers
-// of particles of the next organ and of the previous organ would differ by less than 2 %.
+// most `trials` other spacings, and only organs with at most `mostParticles` particles. The search
+// ends earlier if `fails` has at most 15 % more particles than `holds`, or if the number of
+// particles of the next organ would differ by less than 2 % from that of the previous organ.
 RealTimeLimit findRealTimeLimit(const BenchReport& first,
                                 const std::function<BenchReport(double spacing)>& measure,
                                 int trials = 4, double mostParticles = 1e6);

@@ -1,9 +1,9 @@
 // An OpenGL context for drawing into framebuffers. It works on machines without a display. The
 // window draws in such a context, too.
 //
-// EGL makes the context, without a surface. The context uses the first graphics card that works. If
-// no graphics card works, the context uses software rendering. No X server and no environment
-// variable is needed.
+// The context is made by EGL and has no EGL surface. The context uses the first graphics card that
+// works. If no graphics card works, the context uses software rendering. No X server and no
+// environment variable is needed.
 #pragma once
 
 #include <cstdint>

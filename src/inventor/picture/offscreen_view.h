@@ -1,4 +1,4 @@
-// Draws pictures of a scene. It needs no display.
+// Draws pictures of a scene without a display.
 //
 // An OffscreenView keeps an offscreen context and a multisampled framebuffer. So buffers, textures
 // and shaders are made only once for many pictures. The scene must contain a camera and lights.
@@ -16,10 +16,10 @@ namespace resect {
 class OffscreenView {
  public:
   // width, height: size of the pictures, 16 to 8192 pixels each. samples: number of samples per
-  // pixel; 1 means no antialiasing. If the driver does not support so many samples, its largest
-  // number is used. Throws Error if the size is out of range, if the driver refuses the size, or if
-  // EGL or OpenGL is missing. The picture's size times quality.enlarged must be in range too.
-  // quality.shadowTexels is not used here.
+  // pixel; 1 means no antialiasing. If the driver does not support so many samples, the largest
+  // number that it supports is used. Throws Error if the size is out of range, if the driver
+  // refuses the size, or if EGL or OpenGL is missing. The picture's size times quality.enlarged
+  // must be in range too. quality.shadowTexels is not used here.
   OffscreenView(int width, int height, int samples = 4)
       : OffscreenView(width, height, PictureQuality{.samples = samples}) {}
   OffscreenView(int width, int height, const PictureQuality& quality);

@@ -1,4 +1,4 @@
-// How carefully pictures for files are drawn.
+// Quality settings for pictures that are written to files.
 #pragma once
 
 #include <optional>
@@ -7,9 +7,9 @@
 namespace resect {
 
 struct PictureQuality {
-  int samples = 4;  // per pixel, at which edges are antialiased; 1: edges are not antialiased
-  // Pictures are drawn so many times as large along each axis and then averaged, which smooths
-  // shading too.
+  int samples = 4;  // samples per pixel, for antialiased edges; 1: no antialiasing
+  // Pictures are drawn larger along each axis by this factor. Then they are reduced by averaging,
+  // which smooths shading too.
   int enlarged = 1;
   int shadowTexels =
       1024;  // along each side of a shadow map (OperatingRoom::setShadowResolution())
@@ -17,8 +17,9 @@ struct PictureQuality {
 
 inline constexpr const char* kQualityNames = "draft, window or film";
 
-// draft: one sample per pixel. window: four samples, as the window shows what rests. film: sixteen
-// samples. Empty if there is no quality of this name.
+// draft: one sample per pixel. window: four samples, as in the window while nothing moves. film:
+// four samples and twice the size along each axis, so sixteen samples. Empty if there is no quality
+// of this name.
 inline std::optional<PictureQuality> pictureQuality(std::string_view name) {
   if (name == "draft") return PictureQuality{1, 1, 512};
   if (name == "window") return PictureQuality{};

@@ -18,8 +18,8 @@ std::string inventorFormat(std::string_view bytes);
 // than 200 characters, a node that is used inside itself, or a PROTO that contains itself. Also
 // throws Error for brackets without a partner and for strings without an end. A binary file is not
 // scanned. Cost: O(n) for n bytes. This function is not needed for safety, but it gives better
-// error messages. For safety there is the sandbox (formats/child/sandbox.h): a crash in it does no
-// harm, and it refuses access to other files.
+// error messages. For safety, files are read in a sandbox (formats/child/sandbox.h): a crash there
+// does no harm, and the sandbox refuses access to other files.
 void guardInventorFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect

@@ -17,12 +17,12 @@ enum class ShapeReading { Converted, ByCoin };
 // Adds to model.parts the triangles of all shapes that would be drawn. Switch, LevelOfDetail, USE,
 // Array and Units nodes are applied, and so are all transforms. Lines, points, flat text and
 // draggers are left out. The triangles of a shape go to the part that has the shape's DEF name. If
-// the shape has no DEF name, they go to the part that has the DEF name of a node round the shape:
-// the innermost such node that has a DEF name. A part gets the material of its first shape. If a
-// shape is a TriangleStripSet with one normal per point, the part gets these normals, too. If
-// Resect has saved the scene, model.places is set. Throws an Error about model.path if a count or
-// an index in the scene is out of range, or if the scene has more than 20 million triangles. The
-// caller must hold a reference to `root` (SoNode::ref()).
+// the shape has no DEF name, the DEF name of the innermost enclosing node that has one is used. A
+// part gets the material of its first shape. If a shape is a TriangleStripSet with one normal per
+// point, the part gets these normals, too. If Resect has saved the scene, model.places is set.
+// Throws an Error about model.path if a count or an index in the scene is out of range, or if the
+// scene has more than 20 million triangles. The caller must hold a reference to `root`
+// (SoNode::ref()).
 void addScene(SoNode* root, ShapeReading reading, Model& model);
 
 }  // namespace resect

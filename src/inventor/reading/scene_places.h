@@ -1,5 +1,5 @@
-// Finds the poses of camera and tools in the scene graph of a saved scene. The names of their nodes
-// tell where they are.
+// Finds the poses of camera and tools in the scene graph of a saved scene. The nodes with these
+// poses are found by their names.
 #pragma once
 
 #include <optional>

@@ -90,8 +90,8 @@ class OperatingRoom {
     return organs_[std::size_t(number)];
   }
   int organCount() const { return int(organs_.size()); }
-  // Adds an organ. Its surface must be closed, since back faces are not drawn. colour: screen
-  // colour of the uncut organ (sRGB).
+  // Adds an organ. The organ's surface must be closed, since back faces are not drawn. colour:
+  // screen colour of the uncut organ (sRGB).
   void addOrgan(const Vec3f& colour);
 
   // The next three functions replace the table, the tool box or the operative field by `model`. If
@@ -127,7 +127,7 @@ class OperatingRoom {
   // Number of the tool through which a path from root() leads; -1 if it leads through no tool.
   int toolOfPath(const SoFullPath& path) const;
 
-  // Shows a mesh as the first organ. The organ is uncut and has smooth normals
+  // Shows a mesh as the first organ. The organ is drawn uncut, with smooth normals
   // (geometry/normals.h). For an organ that changes, call update() of organ() instead.
   void setOrgan(const TriangleMesh& mesh, const Vec3f& colour = kLiverColour);
   // Shows the blood on the table and in the air. If `blood` is null, there is no such blood.
@@ -175,8 +175,8 @@ class OperatingRoom {
   // Aims lamps and shadows at a box; world, m. Call this once per scene, and again when the organ's
   // pose has been set. Do not call it in every frame, since the light would flicker.
   void lightUp(const Aabb& box);
-  // Moves the lamps, as one does to light a wound. At first the main lamp hangs at the patient's
-  // right. Shadows follow in the next picture.
+  // Moves the lamps. At first the main lamp hangs at the patient's right. The next picture shows
+  // the new shadows.
   void moveLamp(LampPlace place);
 
   // Aims the camera at a box. The picture contains the whole box, except in the view of the
@@ -205,7 +205,7 @@ class OperatingRoom {
   SoPerspectiveCamera* camera_;
   SoSpotLight* lamps_[2];
   LampPlace lampPlace_ = LampPlace::PatientsRight;
-  Aabb lit_;           // what the lamps are aimed at
+  Aabb lit_;           // the box of the last lightUp()
   SoSpotLight* head_;  // the light at the eye
   SoSwitch* scope_;    // the mask round a laparoscope's picture
   SoShadowMaps* shadows_;

@@ -20,8 +20,9 @@ namespace resect {
 // (inventor/reading/model_file.h) reads all other model files in a child process.
 SoNode* readRoomModel(const std::string& name);
 
-// Where that many tools lie while they are not in hand (toolBoxPlace()): the tool box, and for more
-// than four tools a tray on the other side of the organ. For OperatingRoom::setToolbox().
+// Scene graph of the tool box, in which tools lie while they are not in hand (toolBoxPlace()).
+// tools: number of tools. For more than four tools there is also a tray, on the other side of the
+// organ. The result is meant for OperatingRoom::setToolbox().
 SoNode* toolPlaces(std::size_t tools);
 
 // Screen colour (sRGB) of an organ before any cut.
@@ -30,7 +31,7 @@ Vec3f organColour(const OrganSource& organ);
 class OperationView {
  public:
   // Sets up room, tools and organs, and calls simulation.keepLook(). Aims the lamps at the organs.
-  // If scenario.closeUp is set, aims the camera at this box, otherwise at the organs. aspect:
+  // Aims the camera at the box scenario.closeUp if it is set, otherwise at the organs. aspect:
   // width / height of the picture. If no view has the name scenario.view (roomView()), throws an
   // Error that lists the views.
   OperationView(const Scenario& scenario, Simulation& simulation, double aspect);
@@ -38,8 +39,8 @@ class OperationView {
   // Call this after every step. It moves the tools, applies the changes of all organs' surfaces,
   // and shows blood and bare vessels as they are now.
   void follow(const Simulation& simulation);
-  // Call this after every step, too. It shows the smoke of the step and of those before it. In
-  // thesis mode there is no smoke.
+  // Call this after every step, too. It shows the smoke of this step and of earlier steps. In
+  // thesis mode, in which instruments only remove tissue, there is no smoke.
   void followSmoke(const StepReport& step);
   // For an operation that runs in another thread. Applies the changes of the organs' surfaces, and
   // does nothing else. updates: one update per organ.
@@ -47,9 +48,9 @@ class OperationView {
 
   RgbImage draw(OffscreenView& picture) const;
 
-  // field = true: shows the operative field round the organs. Tools are then hidden while they are
-  // at their rest poses, since they lie on a stand beside the patient. field = false: shows the
-  // table and the tool box, if the scenario has them.
+  // field = true: shows the operative field round the organs. In the field, tools are hidden while
+  // they are at their rest poses: unused instruments lie on a stand outside the picture. field =
+  // false: shows the table and the tool box, if the scenario has them.
   void showField(bool field);
 
   OperatingRoom& room() { return room_; }

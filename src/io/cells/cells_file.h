@@ -1,6 +1,6 @@
 // Reads and writes files *.resect-cells. Such a file holds an organ's lattice, colour values,
-// particles, labels, names of labels, landmarks and vessels. It also names the files that these
-// were made from.
+// particles, labels, names of labels, landmarks and vessels. It also names the files from which all
+// this was made.
 //
 // docs/cells_file.md describes the format: a text header, then runs (io/cells/byte_runs.h), then a
 // checksum. Lengths are in metres. The same cells give the same bytes on every machine. Cells that
@@ -48,9 +48,9 @@ inline bool isCellsFile(const std::filesystem::path& path) {
   return path.extension() == ".resect-cells";
 }
 
-// The bytes of a *.resect-cells file. Throws Error if the cells exceed one of these limits:
+// The bytes of a *.resect-cells file. Throws Error if one of these conditions is not met:
 // - There are 1 to kMaxCells cells, and fewer than a million along each axis.
-// - The coordinates of the origin and the spacing are below 1000 km.
+// - The coordinates of the lattice's origin are below 1000 km, and so is the spacing.
 // - Names are in UTF-8.
 // - The header has at most 1 MB.
 std::string formatCells(const KeptCells& kept);

@@ -10,20 +10,23 @@
 //     0 -264.374 223.281 39.7075 100
 //     ...
 //
-// Along each axis, sample i lies at min + i * spacing. The file does not give the spacing. The
-// reader tries two possibilities:
+// Each row describes a cell of a lattice. Cell i along an axis has the position min + i * spacing
+// on this axis. The file does not give the spacing. In the following, dims are the three numbers of
+// the line "boundingbox dimensions". The reader tries two possibilities:
 // - Each axis has a spacing of its own: (max - min) / dims of this axis.
 // - All three axes have the same spacing: the longest side of the box, divided by the dims of the
 //   axis along which this side lies. The thesis's own files are of this kind.
 // The reader takes the possibility that fits the positions in all rows better
 // (docs/decisions/0002-thesis-grid-is-cubic.md).
-// These positions may have been rounded, by up to 1/50 of a cell. The reader replaces them by the
-// exact positions of the lattice.
+//
+// The positions in the file may have been rounded, by up to 1/50 of a cell. The reader replaces
+// them by the exact positions on the lattice.
 //
 // LevelSet is the colour value, 0 to 100. Line 3 gives N, the number of particles inside the
 // object. If exactly N rows have LevelSet > 0, these rows are the particles. Otherwise the first N
-// rows are the particles, and the later rows with LevelSet > 0 are skin cells. A row with LevelSet
-// 0 is a cell without tissue.
+// rows are the particles, and the later rows with LevelSet > 0 are skin cells: cells that hold
+// tissue although their centres are outside the object. A row with LevelSet 0 is a cell without
+// tissue.
 #pragma once
 
 #include <filesystem>
@@ -52,10 +55,11 @@ Discretization readDiscretization(const std::filesystem::path& path, double unit
 Discretization parseDiscretization(std::string_view text, const std::string& name, double unit = 1);
 
 // The text of a .dis file, in metres. Each number has the fewest digits that restore it exactly.
-// Particles come first, then skin cells, both in lattice order. A particle with the value 0 holds
-// no tissue and is left out. If the lattice is settled (sph/lattice_extent.h), reading the text
-// gives the same lattice and values bit for bit. The lattices made by organ/discretize.h are
-// settled. If a lattice is not settled, the spacing that is read may differ in its last bits.
+// Particles come first, then skin cells, both in the order of their indices in the lattice. A
+// particle with the value 0 holds no tissue and is left out. Reading the text gives the same values
+// bit for bit. It also gives the same lattice bit for bit if settled() (sph/lattice_extent.h)
+// leaves the lattice unchanged, as it does for lattices from organ/discretize.h. For other
+// lattices, the spacing that is read may differ in its last bits.
 std::string formatDiscretization(const Discretization& discretization);
 
 // Writes the file atomically (io/output/atomic_file.h). Throws Error if writing fails.

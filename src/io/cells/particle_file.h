@@ -17,7 +17,8 @@ inline bool isParticleFile(const std::filesystem::path& path) {
 KeptCells readParticleFile(const std::filesystem::path& path, double unit = 1);
 
 // Writes all data if the path ends in .resect-cells. A file with any other name is written in the
-// thesis's format, which has no labels, landmarks, origin or vessels.
+// thesis's format, which has no labels, no landmarks, no vessels, and no information about the
+// origin of the cells.
 void writeParticleFile(const std::filesystem::path& path, const KeptCells& kept);
 
 }  // namespace resect

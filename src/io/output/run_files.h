@@ -35,7 +35,7 @@ struct RunOutputs {
 void checkOutputs(const RunOutputs& outputs, std::span<const std::filesystem::path> inputs = {});
 
 // The numbered files that exist, sorted. These are the ordinary files and the links whose names
-// have nothing but digits between `before` and `extension`.
+// have only digits between `before` and `extension`.
 std::vector<std::filesystem::path> numberedFiles(const NumberedOutputs& outputs);
 
 // Removes the files of numberedFiles(). If one is a link, removes the link and keeps the file that

@@ -11,7 +11,7 @@ namespace resect {
 // Reads all [[label]], [[tumour]] and [[structure]] entries of an organ's table into `organ`. The
 // unit of `organ` must already have been read. Several entries may have the same label. Throws
 // Error if such entries give different names. Each tumour or structure gets a label that is not
-// used yet. Its name is made from its kind: "tumour", "tumour 2".
+// used yet. The name of this label is made from the kind of the structure: "tumour", "tumour 2".
 void readLabels(const TomlTable& t, OrganSource& organ);
 
 // Reads the keys of a material. A missing key gets its value from `defaults`. The outdated key

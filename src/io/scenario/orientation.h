@@ -14,8 +14,9 @@ namespace resect {
 
 // letters: the directions of the model's x, y and z axis in the patient, one letter for each: L or
 // R (the patient's left or right), A or P (front or back), S or H (head), I or F (feet). Examples:
-// "LPS", "RAS". Throws a usage Error if they are not three directions at right angles to each
-// other, or if the axes are left-handed, which no rotation can give.
+// "LPS", "RAS". Throws a usage Error if the letters are not three directions at right angles to
+// each other. Also throws a usage Error if the axes are left-handed, since no rotation leads from
+// such axes to the world's axes.
 Eigen::Quaterniond orientationOf(const std::string& letters);
 
 // text: three angles in degrees, such as "30,0,90". The model is rotated first by the first angle

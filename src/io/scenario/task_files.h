@@ -1,4 +1,4 @@
-// Finds the scenarios and tasks that come with Resect by their names.
+// Finds scenarios and tasks (exercises) that come with Resect by their names.
 #pragma once
 
 #include <filesystem>

@@ -7,8 +7,8 @@
 
 namespace resect {
 
-// Returns the task with another level. The level is changed in Task::text, too, so that a recording
-// keeps the new level.
+// Returns the task with another level of difficulty. The level is changed in Task::text, too, so
+// that a recording keeps the new level.
 Task atLevel(const Task& task, TaskLevel level);
 
 // The text of a scenario file with the scenario's task. It is the text of the file from which the

@@ -1,7 +1,7 @@
 // Checks the size of a TOML text before it is parsed: bytes, values, nesting, keys and texts.
 //
-// The parser recurses for each level of nesting and each part of a key, so a file of many brackets
-// or dots would overflow the stack. Cost: one pass over the bytes. Nothing is allocated.
+// The parser recurses at each level of nesting and at each part of a key. So a file with too many
+// brackets or dots would overflow the stack. Cost: one pass over the bytes. Nothing is allocated.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@
 namespace resect {
 
 inline constexpr std::size_t kMostTomlBytes = 16 << 20, kMostTomlValues = 1'000'000;
-inline constexpr std::size_t kLongestTomlText = 10'000, kLongestTomlWord = 200;  // bytes
+// Longest quoted text, and longest key or number, in bytes.
+inline constexpr std::size_t kLongestTomlText = 10'000, kLongestTomlWord = 200;
 // Most levels of brackets, and most parts of a key such as a.b.c.
 inline constexpr int kDeepestToml = 30;
 

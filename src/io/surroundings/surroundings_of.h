@@ -1,4 +1,4 @@
-// What stands round the organs of a scenario and stops moving tissue.
+// The bodies that stand round the organs of a scenario and stop moving tissue.
 #pragma once
 
 #include <span>
@@ -12,18 +12,19 @@
 
 namespace resect {
 
-// In the setting `field`: the abdominal wall, as data/room/field_wall.ply holds it, at the place
-// where it is drawn. In other settings: the walls of the scenario's tool box, and the table's edge.
-// A body is left out if a particle of some organ lies in it at the start, since it would push that
-// organ out. Then the wall gets a note, the tool box none. Empty if no tissue moves.
+// In a scenario that shows the operative field: the abdominal wall of data/room/field_wall.ply, at
+// the place where the wall is drawn. In any other scenario: the walls of the tool box, and the
+// table's edge. A body is left out if a particle of an organ lies in this body at the start, since
+// the body would push the organ out. If the abdominal wall is left out, `notes` says so. The result
+// is empty if no tissue can move.
 Surroundings surroundingsOf(const Scenario& scenario, std::span<const OperatedOrgan> organs,
                             std::vector<std::string>* notes = nullptr);
 
-// The abdominal wall at a place, whatever lies there.
+// The abdominal wall at a place, even if tissue lies there.
 StandingBody abdominalWall(const FieldPlace& place);
 
-// What there was before recordings kept it, and with which such recordings are played: in every
-// setting the tool box, and a table without an end.
+// Recordings of earlier versions do not contain the surroundings. They are played with these, in
+// every setting: the walls of the tool box, and a table without an end.
 Surroundings surroundingsBefore(const Scenario& scenario, std::span<const OperatedOrgan> organs);
 
 }  // namespace resect

@@ -1,4 +1,5 @@
-// Meshes of bare vessels and of clips, for viewers.
+// Meshes of bare vessels and of clips, for viewers. A vessel is bare where the tissue round it has
+// been removed.
 #pragma once
 
 #include <memory>
@@ -12,8 +13,8 @@ namespace resect {
 
 struct BareVessels {
   // Walls of the bare vessels; the cut share of a vertex says what it shows (vessel_walls.h).
-  // clipNormals: one per point of the clips. All coordinates but the rest places are in the world,
-  // m.
+  // clipNormals: one per point of the clips. The rest positions in `walls` are in rest space; all
+  // other coordinates are in the world. Unit: m.
   SurfaceCopy walls;
   TriangleMesh clips;
   std::vector<Vec3f> clipNormals;

@@ -7,11 +7,11 @@
 
 namespace resect {
 
-// These ends, with the flow of the last frame. Here BleedingEnd::place is the present
-// position of the vessel's end in the tissue, where an instrument can reach the vessel. (In
-// StepReport::blood, BleedingEnd::place is the point where the blood comes out.) The result depends
-// on the state alone. So this function can also be called after the operation was brought to
-// another moment.
+// The ends that bleed or draw in air, with the flow of the last frame. Here BleedingEnd::place is
+// the present position of the vessel's end in the tissue, where an instrument can reach the vessel.
+// (In StepReport::blood, BleedingEnd::place is the point where the blood comes out.) The result
+// depends on the state alone. So this function can also be called after the operation was brought
+// to another moment.
 std::vector<BleedingEnd> bleedingEnds(const Simulation& simulation);
 
 }  // namespace resect

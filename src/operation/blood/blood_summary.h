@@ -14,13 +14,14 @@ struct CutVesselSummary {
   VesselKind kind = VesselKind::PortalVein;
   std::string name;      // for people, such as "right portal vein"
   double diameter = 0;   // of the lumen, m
-  bool severed = false;  // false: a hole in its wall
+  bool severed = false;  // false: the vessel has a hole in its wall
   // Whether clips or heat close the vessel. A severed vessel is closed at both ends; any other
-  // vessel is closed between the hole and the root.
+  // vessel is closed between the hole and the root of its tree.
   bool closed = false;
   double bled = 0;            // blood lost so far, m^3
   double flow = 0;            // flow of blood out of the vessel in the last frame, m^3/s
-  Vec3 place = Vec3::Zero();  // present position of the injury's end nearer to the root, world, m
+  Vec3 place = Vec3::Zero();  // present position of that end of the injury which is nearer to the
+                              // root of the tree, world, m
 };
 
 // A bare vessel: one without tissue round it.
@@ -43,7 +44,7 @@ struct BloodSummary {
   std::vector<CutVesselSummary> vessels;  // the widest first
   std::vector<BareVesselSummary> bare;    // the widest first
   int clips = 0, sealed = 0;  // numbers of clips on vessels, and of segments that heat closes
-  double inflowClamped = 0;   // time for which the inflow was clamped, s
+  double inflowClamped = 0;   // time for which the inflow of blood into the liver was clamped, s
 };
 
 // Follows the blood of an operation, frame by frame.
