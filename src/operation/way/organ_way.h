@@ -32,7 +32,7 @@ struct WayKey {
   std::string landmark;
   // If given, determines the height of the tip: `depth` is the depth of the tip below the organ's
   // top at this place. It is negative above the top. The unit of `depth` is 1 m or, if `share` is
-  // true, the organ's greatest height in the section.
+  // true, the organ's greatest height in its section at this x (OrganSection::tallest()).
   std::optional<double> depth;
   bool share = false;
   // Both are added to the position at the end, along the axes of the world. offset: in m. cells: in
