@@ -279,10 +279,10 @@ std::string modelOf(const ScenarioTool& tool);
 void keepFirstOrgan(Scenario& scenario);
 // Replaces all organs by one. The new organ gets the name and the tissue of the first organ. If
 // source.onTable, it also gets the first organ's position. It does not get the materials of labels.
-// It gets only those attachments whose regions are given in fractions of the organ's box. If the
-// new organ comes from another file than the first organ, the scenario changes: its title becomes
-// the name of that file (base/text/file_stem.h), its setting becomes "table", and its description
-// and close-up are removed.
+// Of the first organ's attachments, it gets those whose regions are given in fractions of the
+// organ's box. If the new organ comes from another file than the first organ, the scenario changes:
+// its title becomes the name of that file (base/text/file_stem.h), its setting becomes "table", and
+// its description and close-up are removed.
 void replaceOrgans(Scenario& scenario, const OrganSource& source);
 // Sets the spacing of the first organ, m, and removes its dims. Scales the spacings of the other
 // organs in proportion; an organ with dims keeps its dims. before: the first organ's spacing until

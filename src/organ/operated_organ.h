@@ -1,5 +1,5 @@
-// An organ in an operation: its cells and surface at rest, its tissue model, and its surface moved
-// with the tissue.
+// An organ in an operation: its cells and surface at rest, its tissue model, and the present
+// surface, which has moved with the tissue.
 #pragma once
 
 #include <memory>

@@ -11,7 +11,7 @@
 //
 // If the user goes back to an earlier moment and operates from there, a new branch begins. If the
 // moment is the end of its branch, no new branch begins: the old branch goes on. Undo and redo are
-// two ways to choose the moment.
+// two ways to choose the moment to which the user goes.
 #pragma once
 
 #include <functional>

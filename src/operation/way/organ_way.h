@@ -1,6 +1,7 @@
-// The way of an instrument in an organ's own coordinates, so that one scenario fits any organ. When
-// the organ is loaded, placeWays() (operation/way/place_ways.h) converts the way to keys in world
-// coordinates. docs/scenarios.md, "Ways in the organ's coordinates", describes ways in files.
+// The way of an instrument: its motion in an organ's own coordinates. So one scenario fits any
+// organ. When the organ is loaded, placeWays() (operation/way/place_ways.h) converts the way to
+// keys in world coordinates. docs/scenarios.md, "Ways in the organ's coordinates", describes ways
+// in files.
 #pragma once
 
 #include <optional>
