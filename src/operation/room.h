@@ -17,13 +17,13 @@ namespace resect {
 // Pose of the tool box. The origin of the box's frame is the centre of its bottom.
 inline Pose toolBoxPose() { return {Vec3(0.27, 0.0, 0.02), Eigen::Quaterniond::Identity()}; }
 
-// Where the operative field (data/room/field.iv, field_*.ply) lies round organs with this box. The
-// pictures and the obstacles of tissue both use it.
+// Where the operative field, a model of the opened abdomen (data/room/field.iv, field_*.ply), lies
+// round the organs. Both the pictures and the obstacles that stop tissue use this.
 struct FieldPlace {
   Vec3 position = Vec3::Zero();  // of the field's origin, world, m
-  double scale = 1;              // 0.6 to 1.6: by how much the field is larger than its files say
+  double scale = 1;              // 0.6 to 1.6: size of the field, relative to its files
 };
-FieldPlace fieldPlace(const Aabb& organs);
+FieldPlace fieldPlace(const Aabb& organs);  // organs: box round all organs, world, m
 
 // The operating table as it is drawn (data/room/table.iv), and the floor on which it stands.
 inline constexpr double kTableHalfWidth = 0.45, kTableHalfDepth = 0.30, kFloor = -0.9;  // m
@@ -33,8 +33,9 @@ inline constexpr double kTableHalfWidth = 0.45, kTableHalfDepth = 0.30, kFloor =
 // too thin to stop cells. The mesh has no floor, since the box stands on the table.
 TriangleMesh toolBoxWalls();
 
-// Pose of the tray (data/room/tray.iv) on the other side of the organ, for tools 4 to 11. Its rim
-// is low and stops no tissue. The origin of the tray's frame is the centre of its bottom.
+// Pose of the tray (data/room/tray.iv), for tools 4 to 11. The organ lies between the tray and the
+// tool box. The tray's rim is low and stops no tissue. The origin of the tray's frame is the centre
+// of its bottom.
 inline constexpr int kToolBoxPlaces = 4;
 inline Pose trayPose() { return {Vec3(-0.3375, 0.0, -0.08), Eigen::Quaterniond::Identity()}; }
 

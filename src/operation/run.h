@@ -33,9 +33,9 @@ struct RunSummary {
   Ledger ledger;  // at the end of the run
   // Largest volume that a tool and still tissue shared at the end of a frame, m^3.
   double deepestOverlap = 0;
-  // touched: whether any instrument touched, removed or cut tissue. toolTouched: for each tool,
-  // whether it touched tissue or took blood away or, if tissue moves, had an organ in its volume of
-  // interest (ToolContacts).
+  // touched: whether any tool touched tissue. toolTouched: for each tool, whether it worked on
+  // tissue or took blood away. If tissue moves, a tool that came near tissue counts too, since a
+  // pencil or a clamp acts from beside the tissue.
   bool touched = false;
   std::vector<bool> toolTouched;
   std::int64_t frames = 0;

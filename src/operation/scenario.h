@@ -60,13 +60,13 @@ struct OrganWound {
 // Where an organ comes from, how it is placed, and the size of its cells.
 struct OrganSource {
   std::string name = "organ";     // its name in the scenario
-  std::string beside;             // name of an organ whose pose this organ gets; "": `pose`
+  std::string beside;             // name of an organ whose pose is used; "": `pose` is used
   std::string file = "liver";     // a built-in organ (isBuiltIn), a model file or particle file
   std::string part;               // name of a part of the model file; "": all parts
   double unit = 1;                // metres per unit of the file
   bool repair = false;            // true: holes are closed; false: holes are an error
   std::optional<double> spacing;  // side of a cell, m; give this or dims
-  std::optional<Vec3i> dims;      // samples per axis of the thesis's grid over the bounding box
+  std::optional<Vec3i> dims;      // samples along each axis of the bounding box, as in the thesis
   // A particle file contains cells. If `resample` is true, new cells are made from their surface
   // instead, by spacing or dims.
   bool resample = false;
@@ -88,7 +88,7 @@ struct OrganSource {
   std::vector<OrganWound> wounds;
   // Not kept in recordings, which hold the resulting cells and vessels.
   std::vector<BroughtStructure> structures;
-  bool smallVessels = true;  // smaller vessels grow from the vessels in `structures`
+  bool smallVessels = true;  // smaller vessels are grown from the vessels in `structures`
   // Sentences for people about how these values were chosen. Not kept in recordings.
   std::vector<std::string> notes;
 
@@ -132,8 +132,9 @@ struct ToolKey {
   }
 };
 
-// How instruments act. Thesis: tissue is still, each instrument removes what it touches, and only
-// one instrument is in hand at a time. Operation: each instrument acts by its working parts.
+// How instruments act. Thesis: as in the diploma thesis that Resect continues: tissue is still,
+// each instrument removes what it touches, and only one instrument is in hand at a time. Operation:
+// each instrument acts by its working parts, such as edges and jaws.
 enum class OperationMode { Thesis, Operation };
 
 struct ScenarioTool {
@@ -250,9 +251,9 @@ struct Scenario {
   }
 };
 
-// Each of these functions throws Error unless all numbers are in their ranges (setting_ranges.h)
-// and all names of organs are known. The functions are for scenarios that a program has made. The
-// reader of scenario files (io/scenario/scenario_file.h) makes the same checks.
+// Each of these functions throws Error if a number is out of its range (setting_ranges.h) or if a
+// name of an organ is unknown. The functions are for scenarios that a program has made. The reader
+// of scenario files (io/scenario/scenario_file.h) makes the same checks itself.
 void requireSound(const OrganSource& source);
 void requireSound(const TissueSetup& tissue);
 void requireSound(const Scenario& scenario);
@@ -260,8 +261,8 @@ void requireSound(const Scenario& scenario);
 // Sets the depth of breathing, m, for a user who asks for it. Throws Error if the depth is out of
 // range, or if no tissue moves.
 void setBreathing(Scenario& scenario, double depth);
-// If the scenario's tissue moves but the patient is still: lets the patient breathe as usual, but
-// hold the breath until FrameInput::breathes says otherwise.
+// Adds breathing at rest to a scenario with moving tissue and without breathing. The breathing is
+// off until FrameInput::breathes starts it.
 void offerBreathing(Scenario& scenario);
 // Whether any tissue moves.
 bool moves(const Scenario& scenario);
@@ -272,16 +273,16 @@ bool isSetting(std::string_view name);
 // Whether pictures show the opened abdomen. In thesis mode they always show the table.
 bool showsField(const Scenario& scenario);
 // The name of the tool's description file without folder and extension, such as "scalpel" for
-// "tools/scalpel.toml". Tasks name instruments so.
+// "tools/scalpel.toml". Tasks use these names for instruments.
 std::string modelOf(const ScenarioTool& tool);
 // Removes all organs but the first, and all joints.
 void keepFirstOrgan(Scenario& scenario);
 // Replaces all organs by one. The new organ gets the name and the tissue of the first organ. If
 // source.onTable, it also gets the first organ's position. It does not get the materials of labels.
-// It gets only those attachments whose regions are given in fractions of the organ's box. If the
-// new organ comes from another file than the first organ, the scenario changes: its title becomes
-// the name of that file (base/text/file_stem.h), its setting becomes "table", and its description
-// and close-up are removed.
+// Of the first organ's attachments, it gets those whose regions are given in fractions of the
+// organ's box. If the new organ comes from another file than the first organ, the scenario changes:
+// its title becomes the name of that file (base/text/file_stem.h), its setting becomes "table", and
+// its description and close-up are removed.
 void replaceOrgans(Scenario& scenario, const OrganSource& source);
 // Sets the spacing of the first organ, m, and removes its dims. Scales the spacings of the other
 // organs in proportion; an organ with dims keeps its dims. before: the first organ's spacing until

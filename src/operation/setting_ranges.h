@@ -58,7 +58,8 @@ inline constexpr SettingRange kJawOpening{0, 3};      // rad
 
 }  // namespace ranges
 
-// Throws a usage Error that names the value, its range and the unit.
+// Throws a usage Error if a value of the material is out of its range. The error names the value,
+// its range and the unit.
 void requireSound(const TissueMaterial& material);
 
 }  // namespace resect

@@ -1,5 +1,6 @@
-// Labels of an organ's cells. The functions give a label to the cells in a region, and copy labels
-// to another discretisation of the same organ.
+// Labels of an organ's cells. A label is the number of the structure, such as a tumour, to which a
+// cell belongs. The functions give a label to the cells in a region, and copy labels to another
+// discretisation of the same organ.
 #pragma once
 
 #include <array>
@@ -10,11 +11,12 @@
 namespace resect {
 
 // Gives the label (0 to 255) to the particles in the region, and returns their number. The region
-// must be placed (sph/region.h). Call labelSkin() after the last region, since the labels of skin
-// cells are wrong until then. Cost: a pass over the cells.
+// must be placed (organ/region_placer.h). Call labelSkin() after the last region, since the labels
+// of skin cells are wrong until then. Cost: a pass over the cells.
 std::int64_t markCells(Discretization& cells, int label, const Region& region);
 
-// Gives each skin cell the label of the particle that it belongs to.
+// Gives each skin cell the label of the particle that it belongs to. A skin cell holds tissue
+// although its centre lies outside the organ (organ/organ.h).
 void labelSkin(Discretization& cells);
 
 // Number of particles of each label.

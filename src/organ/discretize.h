@@ -34,8 +34,8 @@ Lattice cubicLatticeForDims(const Aabb& box, int dims);
 // exactly (collision/columns.h). `value` is computed from 4 x 4 x 4 samples per cell: it is 100
 // times the share of samples that are inside the mesh, but at least 100/64 if the centre is inside.
 // `progress` is called only in the thread that calls discretize(). The result has the same bits at
-// any number of threads. Cost: 17 columns (collision/columns.h) for each column of cells, and a
-// pass over the cells.
+// any number of threads. Cost: 17 lines through the mesh (collision/columns.h) for each column of
+// cells, and a pass over the cells.
 Discretization discretize(const TriangleMesh& mesh, const Lattice& lattice,
                           const Progress& progress = {});
 

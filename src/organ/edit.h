@@ -28,7 +28,7 @@ struct SeverBond {  // severs the bond of the cell in this direction
   std::int64_t cell = -1;
   std::int32_t direction = -1;
 };
-struct Incision {    // cuts along a blade: the surface, and the bonds that cross it
+struct Incision {    // cuts the surface along a blade, and the bonds that cross the blade
   SweptBlade blade;  // in rest space, m
 };
 struct Grip {  // the cell keeps its present position relative to the tool from now on

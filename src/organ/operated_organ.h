@@ -1,5 +1,5 @@
-// An organ in an operation: its cells and surface at rest, its tissue model, and its surface moved
-// with the tissue.
+// An organ in an operation: its cells and surface at rest, its tissue model, and the present
+// surface, which has moved with the tissue.
 #pragma once
 
 #include <memory>
@@ -52,8 +52,9 @@ OperatedOrgan operatedOrgan(std::string name, Organ organ,
 
 // Call after a state was loaded into `organ.organ` and `organ.tissue`. Derives field, surface and
 // skin from the state; if keepsLook is true, also normals and cut shares (isosurface/brick_look.h).
-// anew: false to derive only what differs from what field, surface and skin show now. Must be true
-// if they were left half changed (base/stop.h). Throws Error if the state does not fit the organ.
+// anew: if true, the whole surface is meshed again; if false, only the parts that differ from the
+// present surface. Must be true if a stopped computation left field, surface or skin half changed
+// (base/stop.h). Throws Error if the state does not fit the organ.
 void remake(OperatedOrgan& organ, bool keepsLook, bool anew);
 
 // Fingerprint of the organ before the operation. A state saved from an organ can be restored into

@@ -1,9 +1,10 @@
-// The walls of wide vessels as cords in the tissue.
+// The walls of wide vessels as cords in the tissue. A cord is a spring between two cells that pulls
+// when it is stretched (tissue/cord.h).
 //
 // The Young's modulus of parenchyma is several kilopascals; the modulus of a vessel's wall is about
-// a hundred times as large. So a wide vessel stiffens the cells through which it runs, along its
-// direction. A vessel that was bared in a wound holds the two sides of the wound together until the
-// vessel is divided.
+// a hundred times as large. So a wide vessel stiffens the cells through which it runs, in the
+// vessel's direction. A vessel that was bared in a wound holds the two sides of the wound together
+// until the vessel is divided.
 #pragma once
 
 #include <vector>

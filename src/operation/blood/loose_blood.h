@@ -1,4 +1,4 @@
-// Blood that is on no organ, for viewers: puddles on the table and drops in the air.
+// Blood that is not on an organ, for viewers: puddles on the table and drops in the air.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@ namespace resect {
 struct LooseBlood {
   static constexpr double kDeepest = 5e-3;  // m: the depth that the byte 255 stands for
 
-  // Depth of blood on each patch of the table, 0 to kDeepest, smoothed over neighbouring patches.
-  // There are kTableCells x kTableCells patches, x fastest.
+  // Depth of blood on each square of the table, smoothed over neighbouring squares. The bytes 0 to
+  // 255 stand for depths of 0 to kDeepest. There are kTableCells x kTableCells squares, x fastest.
   std::vector<std::uint8_t> pool;
   Aabb poolBox;              // round the puddles, world, m
   std::vector<Vec3f> drops;  // positions, world, m

@@ -19,7 +19,8 @@ namespace resect {
 
 // How an instrument of some kind is held over a surface.
 struct HandStyle {
-  // The direction to the handle is `upright` times the normal plus `forward` times the heading.
+  // The direction to the instrument's handle is `upright` times the surface's normal plus `forward`
+  // times SurfaceHand::heading.
   double upright = 1, forward = 0;
   double hover = 0.005;     // m: height of the tip over the surface while hovering
   double depth = 0.01;      // m: depth of the tip below the surface when pressing begins
@@ -31,7 +32,7 @@ struct HandStyle {
   bool entersSlowly = false;  // depth grows only in proportion to the motion along the surface
   bool headsForWay = false;   // the first 6 mm of a stroke set the heading
   bool closesJaws = false;    // pressing closes the jaws
-  double seeks = 0;           // m: a target must be nearer to the point than this (seek())
+  double seeks = 0;           // m: greatest distance of a target (see seek())
   bool staysOutside = false;  // the tip works at the surface even if there is a target
 };
 // The style for an instrument. Some kinds of instrument have a style of their own. For the other
@@ -63,12 +64,13 @@ void goDeeper(SurfaceHand& hand, double more);
 // Turns the heading about the normal by `angle`, rad, anticlockwise as seen from outside.
 void turnHeading(SurfaceHand& hand, double angle);
 
-// Chooses the target that, as the eye sees it, is nearest to the point at which the hand points.
-// Two conditions must be met. At right angles to the line of sight, the distance between target and
-// point must be less than style.seeks. Along the line of sight, this distance must be less than
-// style.mostDepth. While the hand presses, it takes no new target. It keeps its old target as long
-// as this target meets the conditions. targets: world, m. towardsEye: direction from the hand's
-// point to the eye, unit.
+// Targets are places such as the ends of cut vessels, at which the tip can work instead of at the
+// surface. Chooses the target that, as the eye sees it, is nearest to the point at which the hand
+// points. Two conditions must be met. At right angles to the line of sight, the distance between
+// target and point must be less than style.seeks. Along the line of sight, this distance must be
+// less than style.mostDepth. While the hand presses, it takes no new target. It keeps its old
+// target as long as this target meets the conditions. targets: world, m. towardsEye: direction from
+// the hand's point to the eye, unit.
 void seek(SurfaceHand& hand, std::span<const Vec3> targets, const Vec3& towardsEye);
 // The point at which the instrument works, world, m. This is the target, if there is one and
 // style.staysOutside is false. Otherwise it is the point on the surface.

@@ -1,10 +1,12 @@
 // The ledger of an operation: where all tissue is. It counts particles, volume and mass.
 //
-// In a ledger, volume is always the volume of the tissue in cells, skin cells included
-// (Discretization::cellVolume()). The volume inside the surface is a little different and is no
-// part of the ledger. Each cell counts with the label and the density that it had before the
-// operation. Volumes are added as whole multiples of 2^-24 of a cell's volume, so their sums do not
-// depend on the order of addition. For each label and for each organ the equation
+// In a ledger, volume is always the volume of the tissue in cells (Discretization::cellVolume()).
+// It includes skin cells, which hold tissue although their centres lie outside the organ. The
+// volume inside the surface is a little different and is no part of the ledger. A label is the
+// number of the structure, such as a tumour, to which a cell belongs. Each cell counts with the
+// label and the density that it had before the operation. Volumes are added as whole multiples of
+// 2^-24 of a cell's volume, so their sums do not depend on the order of addition. For each label
+// and for each organ the equation
 //
 //   before = body + pieces + debris + removed
 //
@@ -115,10 +117,10 @@ class LedgerBooks {
   Ledger ledgerOf(const Simulation& simulation) const;
 
  private:
-  struct Odd {  // a particle that does not have exactly one full cell of tissue
+  struct Odd {  // a particle whose tissue is more or less than one full cell
     std::int64_t cell = 0;
     std::int64_t units = 0;  // its volume minus a full cell's, in 2^-24 of a full cell
-    // 0 or -1. -1 stands for a skin cell that Organ treats as a particle: no particle is counted.
+    // Added to the number of particles: 0, or -1 for a skin cell that Organ treats as a particle.
     std::int32_t particles = 0;
   };
   struct OrganBooks {
@@ -137,8 +139,8 @@ class LedgerBooks {
 };
 
 // Checks the sums in a ledger. Returns a sentence about the first sum that is wrong; empty if all
-// are right. simulation, if given: the simulation that the ledger describes. Then the simulation's
-// own counts are compared with the ledger, too.
+// sums are right. simulation: if given, its own counts are compared with the ledger, too. It must
+// be in the state that the ledger describes.
 std::string discrepancy(const Ledger& ledger, const Simulation* simulation = nullptr);
 
 }  // namespace resect

@@ -32,7 +32,7 @@ class LedgerWatch {
  private:
   LedgerBooks books_;
   Ledger ledger_;
-  std::vector<float> iso_;  // iso level of each organ in ledger_; areas of wounds depend on it
+  std::vector<float> iso_;  // iso level of each organ in ledger_; wound areas depend on this level
   double time_ = 0;         // simulated time of ledger_, s
   bool changed_ = true;     // tissue or iso level has changed since ledger_ was computed
 };

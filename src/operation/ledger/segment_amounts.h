@@ -1,4 +1,5 @@
-// How much of each of Couinaud's segments of the liver is left in the liver's body.
+// Surgeons divide the liver into eight segments, after Couinaud. How much of each segment is left
+// in the liver's body, that is, its largest part (organ/parts/tissue_parts.h).
 #pragma once
 
 #include <vector>

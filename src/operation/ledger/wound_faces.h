@@ -17,7 +17,7 @@ struct WoundFaces {
   // other side is no longer a cut but a bared face.
   double cut = 0;
   // Area of bared faces: faces that were laid open when tissue was removed. A face counts as bared
-  // if the point three quarters of a cell in front of it lay in tissue that was removed. Accurate
+  // if the tissue at the point three quarters of a cell in front of the face was removed. Accurate
   // to 7 %.
   double bared = 0;
   // Per structure: its least distance from any cut or bared face, m; infinite if there is no such
@@ -26,7 +26,8 @@ struct WoundFaces {
 };
 
 // structures: the structures whose margins are wanted. Cost: 10 ns for each triangle in bricks
-// where tissue was cut or removed, plus the distances of its corners from the structures.
+// where tissue was cut or removed, plus the time to compute the distances of its corners from the
+// structures.
 WoundFaces woundFaces(const Organ& organ, std::span<const Structure> structures);
 
 // A point of a cut or bared face, in rest space, and its distance from a structure, m.

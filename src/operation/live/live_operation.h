@@ -1,10 +1,10 @@
 // An operation that runs in a thread of its own while a window shows it.
 //
 // The thread steps the simulation at `frameRate` frames per second of real time. The caller never
-// waits for a frame, except in surface() and look(). Inputs can be set at any moment. They take
-// effect from the next frame on. take() gives the changes of the surfaces since its last call. Time
-// lost by slow frames is not made up: the operation then runs slower than the clock, and
-// StepTimes::realTimeFactor is below 1.
+// waits for a frame, except in surface(), look() and the functions for tests. Inputs can be set at
+// any moment. They take effect from the next frame on. take() gives the changes of the surfaces
+// since the last call of take(). Time lost by slow frames is not made up: the operation then runs
+// slower than the clock, and StepTimes::realTimeFactor is below 1.
 #pragma once
 
 #include <atomic>
@@ -63,11 +63,10 @@ class LiveOperation {
   LiveOperation& operator=(const LiveOperation&) = delete;
 
   // setTool(), setIso() and setBreathing() take effect from the next frame on and may be called
-  // from any thread.
-  // The jaws of the tool move no faster than a hand moves them (hand_speed.h). motion: if given,
-  // the tool moves to the pose of `input` over several frames, as a hand would move it. Otherwise
-  // the tool has this pose at the end of the next frame. LiveState::poses has the present poses of
-  // the tools.
+  // from any thread. setTool(): the jaws of the tool move no faster than a hand moves them
+  // (hand_speed.h). motion: if given, the tool moves to the pose of `input` over several frames, as
+  // a hand would move it. Otherwise the tool has this pose at the end of the next frame.
+  // LiveState::poses has the present poses of the tools.
   void setTool(int tool, const ToolInput& input, std::optional<HandMotion> motion = {});
   void setIso(float iso);
   void setBreathing(bool on);  // as FrameInput::breathes
@@ -76,8 +75,8 @@ class LiveOperation {
   void setSight(std::vector<Sight> sight);
   // From the next frame on, `motion` moves the tools. `motion` is called once per frame, in the
   // operation's thread, until it returns nothing. play({}) ends the motion earlier. Of the
-  // FrameInput that `motion` returns, only `tools` is used. If a step refuses these tools, the
-  // motion ends too, and LiveState::faults says why.
+  // FrameInput that `motion` returns, only `tools` is used. If these tools are invalid, so that
+  // Simulation::step() throws, the motion ends too, and LiveState::faults says why.
   void play(Motion motion);
   // Goes back to the start of the operation, then does the same as play(). This is a request;
   // requests are explained below.

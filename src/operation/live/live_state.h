@@ -39,7 +39,7 @@ struct LiveState {
   float iso = 50;                        // iso level of the first organ
   bool moves = false;                    // whether any tissue is elastic
   bool canBreathe = false;               // whether the simulation has breathing
-  bool breathes = false;                 // whether it goes on (Breath::on)
+  bool breathes = false;                 // whether the breathing is on now (Breath::on)
   std::vector<std::string> faults;       // those since the last LiveOperation::take(), each once
   // The tools' inputs while a motion plays or a moment of the history is shown. Otherwise empty:
   // the hand moves the tools (LiveOperation::setTool()).
@@ -60,7 +60,7 @@ struct LiveState {
   std::vector<BleedingEnd> bleedingEnds;    // vessels' ends that bleed
   std::vector<ClippedVessel> clips;         // vessels with clips, one entry per clip
   bool inflowClamped = false;               // whether the inflow is clamped now
-  double clampedTime = 0;                   // for how long it has been clamped in all, s
+  double clampedTime = 0;                   // total time for which it has been clamped, s
   std::shared_ptr<const LooseBlood> loose;  // blood on no organ; null: none
   std::shared_ptr<const BareVessels> bare;  // null: no bare vessels and no clips
   SmokePlume smoke;
@@ -82,7 +82,7 @@ struct LiveState {
 // volume of the tissue before the operation, m^3. peaks: OperationHistory::peaks().
 void noteStep(LiveState& state, const Simulation& simulation, const StepReport& report,
               double before, const std::vector<double>& peaks);
-// Does the same after the simulation was brought to another moment. There is no report then.
+// Does the same after the simulation was brought to another moment, for which there is no report.
 void noteMoment(LiveState& state, const Simulation& simulation, double before,
                 const std::vector<double>& peaks);
 

@@ -3,14 +3,15 @@
 //
 // The history keeps the inputs of every frame of every branch, and some states. To reach a moment,
 // the last state before this moment is restored, and the inputs after this state are played. One
-// state is kept per second, one at the start of each branch, and one at most kFramesBetween frames
-// before each stroke. If the states need more memory than allowed, some are dropped. The first to
-// be dropped is the state whose removal leaves the shortest gap. States of the present branch's
-// last minute are dropped last.
+// state is kept per second, one at the start of each branch, and one shortly before each stroke (at
+// most kFramesBetween frames). A stroke is a period in which instruments work on organs
+// (strokes.h). If the states need more memory than allowed, some are dropped. The first to be
+// dropped is the state whose removal leaves the shortest gap. States of the present branch's last
+// minute are dropped last.
 //
 // If the user goes back to an earlier moment and operates from there, a new branch begins. If the
 // moment is the end of its branch, no new branch begins: the old branch goes on. Undo and redo are
-// two ways to choose the moment.
+// two ways to choose the moment to which the user goes.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,5 @@
-// Whether the user sees the tips of the instruments in hand. The simulation does not know this; the
-// window sets it. Recordings keep the sight of the tips as events, since a replay cannot compute
-// the sight again.
+// Sight: whether the user sees the tip of an instrument in hand. The window sets it. Recordings
+// keep changes of sight as events, since a replay cannot compute them.
 #pragma once
 
 #include <cstdint>

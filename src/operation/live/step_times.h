@@ -23,8 +23,8 @@ struct StepTimes {
 class LastSecond {
  public:
   explicit LastSecond(double frameRate);  // simulated frames per second
-  // Adds one step. clock: the laps of this step alone. arrival: steadySeconds() at the end of the
-  // step, s.
+  // Adds one step. clock: the times of the stages of this step alone. arrival: steadySeconds() at
+  // the end of the step, s.
   void add(const StageClock& clock, double arrival);
   // The times of the steps that are kept. Cost: a sort for each stage.
   StepTimes times() const;

@@ -1,8 +1,8 @@
 // Collects the changes of an organ's surface for a viewer that takes them from time to time.
 //
-// follow() collects the changes of one step; take() returns all changes collected so far. If the
-// tissue moves, its vertices are published in blocks of 64. A block is published when one of its
-// vertices has moved visibly since the block was last published. Rest positions and cut shares
+// follow() collects the changes of one step; take() returns all changes since the last take(). If
+// the tissue moves, its vertices are published in blocks of 64. A block is published when one of
+// its vertices has moved visibly since the block was last published. Rest positions and cut shares
 // (isosurface/brick_look.h) are published only for new vertices. Cost of follow(): proportional to
 // the changes. For moving tissue, there is also a pass over all vertices. One publisher serves one
 // organ and one viewer.

@@ -1,8 +1,9 @@
 // The height of the tissue under the tip of a tool, and the distance of the tip from tissue, both
 // for the tissue's present position.
 //
-// Cost for still tissue: proportional to the number of bricks round and under the tip. Cost for
-// moving tissue: a pass over all triangles, since bricks are in rest space.
+// Cost for still tissue: proportional to the number of bricks (blocks of 4 x 4 x 4 nodes of the
+// colour field's grid) round and under the tip. Cost for moving tissue: a pass over all triangles,
+// since bricks are in rest space.
 #pragma once
 
 #include "operation/live/present_surface.h"

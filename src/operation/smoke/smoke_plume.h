@@ -1,7 +1,7 @@
 // The smoke over tissue that boils, for viewers: puffs that rise, widen and fade.
 //
-// The smoke is for the eye alone. It follows from the reports of the steps (StepReport::smoke) and
-// from simulated time, so the same frames give the same smoke. No stage of the step reads it.
+// The smoke is only drawn; it has no effect on the simulation. It is computed from the reports of
+// the steps (StepReport::smoke) and from simulated time, so the same frames give the same smoke.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ void followSmoke(SmokePlume& plume, std::span<const Smoke> smoke, double time, d
 struct SmokeBall {
   Vec3f centre = Vec3f::Zero();  // world, m
   float radius = 0;              // m
-  float density = 0;             // share of what is behind its middle that it hides, 0 to 1
+  float density = 0;             // opacity at the centre of the ball, 0 to 1
 };
 
 // The plume at a time, s.

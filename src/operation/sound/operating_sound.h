@@ -22,8 +22,8 @@ struct AudibleState {
 };
 
 // tools: one model per tool of the state. pedalled: number of the tool whose pedal the user
-// presses; -1: none. While a motion plays, its inputs count instead. The monitor is heard if
-// any organ bleeds.
+// presses; -1: none. If LiveState::played is not empty, the pedals in it are used instead. The
+// monitor is heard if any organ has vessels.
 AudibleState audibleState(const LiveState& state, std::span<const ToolModel> tools, int pedalled);
 
 // Heart rate of an adult who has lost this volume of blood, m^3; beats per minute, 70 to 140. It is
@@ -31,8 +31,7 @@ AudibleState audibleState(const LiveState& state, std::span<const ToolModel> too
 // College of Surgeons, Advanced Trauma Life Support), and linear in between.
 double heartRateAfter(double bled);
 
-// Makes samples, block after block. Sounds swell and fade within some 30 ms, so that nothing
-// clicks.
+// Makes samples, block after block. Sounds swell and fade within some 30 ms, to avoid clicks.
 class OperatingSound {
  public:
   explicit OperatingSound(int samplesPerSecond) : rate_(samplesPerSecond) {}

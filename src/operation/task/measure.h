@@ -1,8 +1,8 @@
 // The measures of an attempt at a task: their names in files, and their titles and units for
 // people.
 //
-// docs/methods/skills.md defines each measure and gives its source; src/skills/ computes them. A
-// task's limits and bands refer to a measure by its `id`.
+// docs/methods/skills.md defines each measure and gives its source. src/skills/ computes the
+// measures. A task's limits and bands (operation/task/task.h) refer to a measure by its `id`.
 #pragma once
 
 #include <span>

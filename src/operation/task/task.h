@@ -43,7 +43,7 @@ struct TaskGoal {
   std::string structure;        // name of a label of the organ
   double margin = 0.01;         // m: least margin round `structure`
   double rate = 5e-6 / 60;      // m^3/s: a smaller blood flow counts as no bleeding
-  double from = 20e-6 / 60;     // m^3/s: only bleeding that reached this flow can be stopped
+  double from = 20e-6 / 60;     // m^3/s: the bleeding to be stopped must first reach this flow
   Vec3 normal = Vec3::UnitX();  // of the plane; unit, world
   VesselKind vessel = VesselKind::PortalVein;
   double thinnest = 0.002;  // m: least diameter of the vessel

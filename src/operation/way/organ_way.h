@@ -1,6 +1,7 @@
-// The way of an instrument in an organ's own coordinates, so that one scenario fits any organ. When
-// the organ is loaded, placeWays() (operation/way/place_ways.h) converts the way to keys in world
-// coordinates. docs/scenarios.md, "Ways in the organ's coordinates", describes ways in files.
+// The way of an instrument: its motion in an organ's own coordinates. So one scenario fits any
+// organ. When the organ is loaded, placeWays() (operation/way/place_ways.h) converts the way to
+// keys in world coordinates. docs/scenarios.md, "Ways in the organ's coordinates", describes ways
+// in files.
 #pragma once
 
 #include <optional>
@@ -32,7 +33,7 @@ struct WayKey {
   std::string landmark;
   // If given, determines the height of the tip: `depth` is the depth of the tip below the organ's
   // top at this place. It is negative above the top. The unit of `depth` is 1 m or, if `share` is
-  // true, the organ's greatest height in the section.
+  // true, the organ's greatest height in its section at this x (OrganSection::tallest()).
   std::optional<double> depth;
   bool share = false;
   // Both are added to the position at the end, along the axes of the world. offset: in m. cells: in

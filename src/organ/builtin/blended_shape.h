@@ -1,11 +1,11 @@
 // A body blended from ellipsoids, as a signed function.
 //
-// Ellipsoids are added to the body or carved out of it, one after the other. The blend with the
-// body has the shape of a fillet. Each ellipsoid's fillet has a width of its own. The function's
-// value is in metres, and negative inside the body; near the surface it approximates the distance
-// to the surface. The function is smooth (C2) except at the centre of each ellipsoid. There it
-// jumps, by at most the largest radius of this ellipsoid. Cost: two square roots and two divisions
-// per ellipsoid; allocates nothing; thread-safe.
+// Ellipsoids are added to the body or carved out of it, one after the other. The seam between body
+// and ellipsoid is rounded by a fillet. Each ellipsoid's fillet has a width of its own. The
+// function's value is in metres, and negative inside the body; near the surface it approximates the
+// distance to the surface. The function is smooth (C2) except at the centre of each ellipsoid.
+// There its value jumps, by at most the largest radius of this ellipsoid. Cost: two square roots
+// and two divisions per ellipsoid; allocates nothing; thread-safe.
 //
 // Sources: blending of implicit bodies, A. Ricci (1973); cubic smooth minimum and first-order
 // distance of an ellipsoid, I. Quilez (articles "smooth minimum", "ellipsoid distance", 2013).

@@ -24,8 +24,9 @@ double builtinLiverDistance(const Vec3& p);
 TriangleMesh builtinLiver(double edge = 0.0025);
 
 // Input for growing the liver's vessels: the places where vessels enter and leave the liver, and
-// the random seed. Hilum and vena cava lie as in the Visible Human Male. Five seeds were tried. The
-// chosen seed is the one with which the hepatic artery and the bile duct reach most terminals.
+// the random seed. The hilum, where the portal vein enters the liver, and the vena cava lie as in
+// the Visible Human Male. Five seeds were tried. The chosen seed is the one with which the hepatic
+// artery and the bile duct reach most terminals.
 VesselGrowth builtinLiverVessels();
 
 }  // namespace resect

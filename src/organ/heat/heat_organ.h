@@ -13,14 +13,16 @@ namespace resect {
 void heatOrgan(OperatedOrgan& organ, std::span<const HeatSource> sources, double duration,
                bool removed);
 
-// Whether heat finds tissue at a place in rest space, or the wall of a bare vessel.
+// Whether there is tissue, or the wall of a bare vessel, at a place in rest space.
 bool isTissue(const Organ& organ, const Vec3& place);
-// Share of coagulated tissue, 0 to 1, at a place in rest space on the surface of tissue or inside.
+// Share of coagulated tissue, 0 to 1, at a place in rest space. The place is inside tissue or on
+// its surface.
 double coagulatedAt(const Organ& organ, const Vec3& place);
 
 // The material after heat has coagulated it: stiffer, harder to cut, and easier to tear. The
-// figures are estimates. Elastography finds ablated liver several times as stiff as before; here
-// the stiffness is only doubled, since stiffer tissue needs shorter substeps.
+// figures are estimates. In measurements by elastography, ablated liver is several times as stiff
+// as before the ablation. Here the stiffness is only doubled, since stiffer tissue needs shorter
+// substeps.
 TissueMaterial coagulated(const TissueMaterial& material);
 
 }  // namespace resect

@@ -1,4 +1,5 @@
-// Owners of grid nodes near cuts: for each node, the particle that it belongs to.
+// Owners of the colour field's grid nodes near cuts: for each node, the particle that the node
+// belongs to.
 #pragma once
 
 #include <array>
@@ -13,8 +14,8 @@ namespace resect {
 
 // Tells which nodes of a box lie in tissue, and which grid edges between such nodes are whole. A
 // node lies in tissue if the colour field there is at least the iso level. An edge is whole if it
-// is not severed. Both are found when they are first asked for, for the 64 nodes of a brick at a
-// time.
+// is not severed. The answers are computed when they are first asked for, for a whole brick of 64
+// nodes at once.
 class TissueGrid {
  public:
   // nodes: the box. Nodes in the box, and nodes next to the box, may be asked for. A node outside
@@ -74,8 +75,8 @@ class NodeOwners {
 
   struct Known {
     std::int32_t owner = kNobody;
-    // Radius searched so far, edges. If the owner has been found, this is its distance. If not, the
-    // owner is farther away than this.
+    // Radius searched so far, edges. If the owner has been found, this is the owner's distance. If
+    // not, the owner is farther away.
     std::int8_t searched = 0;
     std::uint8_t ways;  // TissueGrid::ways() of the node
   };

@@ -25,11 +25,11 @@ struct Body {
 };
 
 // The bodies of an organ that may have incisions, the largest first. The two lips of an incision
-// lie at the same positions, so the surface alone does not tell them apart. Instead, two parts of
-// the surface belong to one body if the tissue behind them is one piece (see tissuePieces()). A
-// piece without particles, such as a sliver between two cuts, belongs to the body that it touches.
-// The volumes of the meshes add up to the volume of the surface. The values of `tissue` add up to
-// the volume of all particles. Cost: proportional to the number of grid nodes.
+// lie at the same positions, so the bodies cannot be found from the surface alone. Two parts of the
+// surface belong to one body if the tissue behind them is one piece (see tissuePieces()). A piece
+// without particles, such as a sliver between two cuts, belongs to the body that it touches. The
+// volumes of the meshes add up to the volume of the surface. The values of `tissue` add up to the
+// volume of all particles. Cost: proportional to the number of grid nodes.
 std::vector<Body> bodies(const Organ& organ);
 // The same for tissue that has moved. surface: organ.surface.mesh(points) with the moved points.
 std::vector<Body> bodies(const Organ& organ, const TriangleMesh& surface);

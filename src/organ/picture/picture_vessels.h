@@ -8,9 +8,10 @@
 
 namespace resect {
 
-// Thickness of a vessel's wall, m, including the sheath of connective tissue round portal triads.
-// For a portal branch it is about a fifth of the radius; a hepatic vein has hardly any sheath
-// (Gray's Anatomy, 41st ed., ch. 67). radius: of the lumen, m.
+// Thickness of a vessel's wall, m. It includes the sheath of connective tissue round portal triads
+// (a branch of the portal vein with an artery and a bile duct). For a portal branch the thickness
+// is about a fifth of the radius; a hepatic vein has hardly any sheath (Gray's Anatomy, 41st ed.,
+// ch. 67). radius: of the lumen, m.
 double wallOf(VesselKind kind, double radius);
 
 // Null for an anatomy without vessels. Cost: proportional to the number of segments, and to the

@@ -2,9 +2,8 @@
 //
 // A vertex follows the particle that is nearest to it, and the nearest of the particles bonded to
 // this particle. So a vertex never follows particles on both sides of a cut. Weights fall to zero
-// with distance, so that neighbouring vertices move alike. Neighbouring vertices move alike even at
-// a thin edge of the organ, where a vertex follows few particles and all these lie on one side of
-// the vertex.
+// with distance, so that neighbouring vertices move alike. This holds even at a thin edge of the
+// organ, where a vertex follows few particles, which all lie on one side of the vertex.
 #pragma once
 
 #include "sph/lattice.h"

@@ -4,8 +4,8 @@
 // is fixed. So each moment at which the surface has changed gets a mesh and a node of its own. The
 // animation shows one of these nodes at a time: its scale is 1, and the scale of the others is 0.
 // (glTF 2.0, 3.5.3: a scale of zero hides a node.) Morph targets are no alternative: they cannot
-// change the topology, they would take as many bytes, and viewers limit their number. Instruments
-// are nodes that move.
+// change the topology, they would not make the file smaller, and viewers limit their number.
+// Instruments are nodes that move.
 #pragma once
 
 #include <filesystem>

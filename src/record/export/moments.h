@@ -16,11 +16,11 @@ struct ExportedPart {
   double rate = 0;                 // moments per simulated second; 0: one at every frame
 };
 
-// Plays the part. Calls visit() for the first state of the part, and after its last frame. Between
-// these, if the rate is 0, calls visit() after every frame. If the rate is above 0, there are
-// regular simulated times: 1 / rate seconds, 2 / rate seconds, and so on. visit() is then called
-// for each frame that is the first frame to end at or after such a time. If withLook is set, first
-// calls Simulation::keepLook(). each(), if given, is called for every frame, before visit().
+// Plays the part. Calls visit() for the first state of the part, after its last frame, and after
+// chosen frames in between. If the rate is 0, every frame is chosen. If the rate is above 0, a
+// frame is chosen if it is the first to end at or after one of the simulated times 1 / rate, 2 /
+// rate, and so on, s. If withLook is set, Simulation::keepLook() is called before all this. each(),
+// if given, is called for every frame, before visit().
 void playMoments(Replay& replay, const ExportedPart& part, bool withLook,
                  const std::function<void(const Simulation&)>& visit, const Progress& progress,
                  const std::function<void(const StepReport&)>& each = {});
