@@ -1,6 +1,5 @@
 // Published bands: the results of experts and novices in a study. Each study is a data file that
-// names its source (data/bands/*.toml). No band is invented: if a measure has no published band, it
-// is shown without a band.
+// names its source (data/bands/*.toml). A measure without a published band is shown without a band.
 #pragma once
 
 #include <optional>
