@@ -10,8 +10,8 @@
 
 #include "sph/field_stencil.h"
 
-// -Wpsabi warns about the calling convention of functions that return vectors. It does not matter
-// here, since all of them are inlined.
+// -Wpsabi warns about the calling convention of functions that return vectors. The warning does not
+// matter here, since all these functions are inlined.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace resect {

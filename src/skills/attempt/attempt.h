@@ -70,7 +70,7 @@ struct ClipPlaced {
 // Amounts of tissue after a frame; recorded once per simulated second, and at the end.
 struct TissueMoment {
   double time = 0;  // s
-  // Volumes, m^3, summed over all organs. body: the largest part of an organ. pieces: parts that
+  // Volumes, m^3, summed over all organs. body: the largest part of each organ. pieces: parts that
   // came off. removed: destroyed tissue, and debris: parts that are too small to be a piece.
   double body = 0, pieces = 0, removed = 0;
   double cut = 0;  // area cut or torn, m^2
