@@ -1,7 +1,7 @@
 // Records an operation while it happens.
 //
 // The thread that steps the simulation hands each frame to the recorder, and the recorder's own
-// thread writes it. If the program is killed, the file can still be opened; at most the last
+// thread writes the frame. If the program is killed, the file can still be opened; at most the last
 // quarter of a second is missing from it. If the file cannot be written, for example because the
 // disk is full or too slow, the recording ends but the operation goes on. failure() then says why
 // the recording ended.
@@ -29,8 +29,8 @@ std::string programName();
 // Digests of the fields of the simulation's state after a step, in the order of fields().
 class FrameHashes {
  public:
-  // Digests are computed of the fields that the state of `start` has. start: a simulation at the
-  // start of its operation.
+  // Computes digests of the fields that the state of `start` has. start: a simulation at the start
+  // of its operation.
   explicit FrameHashes(const Simulation& start);
   // fields: names of the state's fields, as in RecordingInfo::fields.
   explicit FrameHashes(std::vector<std::string> fields) : hashes_(std::move(fields)) {}

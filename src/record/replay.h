@@ -60,7 +60,7 @@ struct Verification {
   bool complete = true;  // RecordingFile::complete()
   std::optional<Difference> first;
   std::string program;        // program that made the recording, with its version
-  bool otherProgram = false;  // another version: key states are not compared
+  bool otherProgram = false;  // made by another version; key states are not compared
 };
 
 // Plays every branch from its first key state, and stops at the first difference. Compares the

@@ -68,9 +68,9 @@ void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const float* low,
               std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out);
 
 // As above, for cells that are stored as levels (sph/colour_values.h). The results have the same
-// bits. alongY and alongZ are counted in cells. Reads up to 16 cells along x. This overload uses
-// AVX2 where the machine has it. sumBrickPlainly() computes the same bits without it; tests and
-// benchmarks compare the two.
+// bits as for floats. alongY and alongZ are counted in cells. Reads up to 16 cells along x. This
+// overload uses AVX2 where the machine has it. sumBrickPlainly() computes the same bits without it;
+// tests and benchmarks compare the two.
 void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const std::uint8_t* low,
               std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out);
 

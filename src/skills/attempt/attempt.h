@@ -1,4 +1,5 @@
 // An attempt at a task, as a recording shows it: plain data from which all measures are computed.
+//
 // readAttempt() (skills/attempt/read_attempt.h) makes an Attempt by playing the recording: it
 // computes the recorded frames again. So an old recording can be scored again, even by measures
 // that did not exist when it was made. "At rest" and "in rest space" mean: in the positions before

@@ -1,6 +1,7 @@
 // Movements: ranges of an instrument's track in which the instrument moves. A track holds samples,
-// the positions at equal intervals of time (track.h). The rule is that of PerkTutor
-// (PythonMetrics): a change between rest and motion counts only if the new state lasts long enough.
+// the positions at equal intervals of time (track.h). The rule is that of the training software
+// PerkTutor (PythonMetrics): a change between rest and motion counts only if the new state lasts
+// long enough.
 #pragma once
 
 #include <optional>
