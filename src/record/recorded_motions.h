@@ -1,6 +1,6 @@
-// Converts the motions of the instruments in a recorded operation to keys of a scenario. So a
-// recorded attempt can become the reference run of an exercise. The reference run can be played, or
-// shown by transparent instruments (ghosts).
+// Converts the motions of the instruments in a recorded operation to keys of a scenario, which are
+// poses at given times. So a recorded attempt can become the reference run of an exercise. The
+// reference run can be played, or shown by transparent instruments (ghosts).
 #pragma once
 
 #include <vector>

@@ -90,8 +90,8 @@ struct RecordingInfo {
   std::vector<std::string> fields;
 };
 
-// Makes an empty database a recording without rows: sets the application id and the schema version,
-// and creates the tables.
+// Turns an empty database into a recording without rows: sets the application id and the schema
+// version, and creates the tables.
 void makeRecordingTables(Database& database);
 
 class RecordingFile {
@@ -104,8 +104,9 @@ class RecordingFile {
                               const RecordedSetup& setup, const Branch& first,
                               const KeyState& start);
   // Creates a file at `path` with a copy of everything in `done`, so that more can be added. Throws
-  // Error if a file exists at `path`. Does not check whether this program's state has the fields
-  // whose digests `done` keeps; Recorder's constructor does that.
+  // Error if a file exists at `path`. `done` has digests of the fields of a state. Recorder's
+  // constructor checks that the state of this program has no other fields; goOn() does not check
+  // this.
   static RecordingFile goOn(const std::filesystem::path& path, RecordingFile& done);
   // Reads a finished or an interrupted recording into memory, through the sandbox
   // (record/file/foreign_recording.h). Throws Error if the file is not a recording, or if its
@@ -134,8 +135,8 @@ class RecordingFile {
   void add(const RecordedSample& sample);
   void add(const RecordedLedger& ledger);
   // Copies everything into an empty file and marks the copy as a finished recording. Must not be
-  // called between begin() and commit(). name: the file's name in messages. moment: the result of
-  // moment() for the copy. A frame after the end of the branch is replaced by the branch's last
+  // called between begin() and commit(). name: the file's name in messages. moment: what moment()
+  // returns for the copy. A frame after the end of the branch is replaced by the branch's last
   // frame.
   void copyTo(const std::filesystem::path& path, const std::string& name,
               std::optional<Moment> moment);
