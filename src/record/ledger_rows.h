@@ -1,4 +1,5 @@
-// Converts a ledger to the rows that a recording keeps.
+// Converts a ledger to the rows that a recording keeps. A ledger is an account of all tissue
+// (operation/ledger/ledger.h).
 #pragma once
 
 #include <optional>
@@ -9,9 +10,8 @@
 namespace resect {
 
 // Whether a recording keeps the ledger after this frame: true once per simulated second. The result
-// depends on the frame's number alone. A recording also keeps the ledger at the start of each
-// branch. It also keeps the ledger when operating pauses at the end of a branch
-// (Recorder::stood()).
+// depends on the frame's number alone. A recording also keeps two other ledgers of each branch: at
+// the branch's start, and when operating pauses at its end (Recorder::stood()).
 bool ledgerIsDue(std::int64_t frame, double frameRate);
 
 // Number of pieces in a ledger, of all organs together.
@@ -21,8 +21,8 @@ std::int64_t piecesIn(const RecordedLedger& ledger);
 std::optional<OperationEvent> pieceEvent(const RecordedLedger& ledger, std::int64_t before);
 
 // The rows of `ledger`, which must describe the simulation's present state. Amounts with the volume
-// 0 are left out. Infinite margins are left out, too: until something is cut or bared, all margins
-// are infinite.
+// 0 are left out. Infinite margins are left out, too. A margin is the least distance of a structure
+// from any cut or bared face, so it is infinite until there is such a face.
 RecordedLedger rowsOf(const Ledger& ledger, std::int64_t branch, const Simulation& simulation);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// Makes an operation from a recording, so that it can be continued.
+// Makes an operation from a recording, so that the operation can be continued.
 #pragma once
 
 #include "base/progress.h"

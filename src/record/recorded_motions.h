@@ -1,6 +1,6 @@
-// Converts the motions of the instruments in a recorded operation to keys of a scenario. So a
-// recorded attempt can become the reference run of an exercise, which can be played and shown as
-// ghosts.
+// Converts the motions of the instruments in a recorded operation to keys of a scenario, which are
+// poses at given times. So a recorded attempt can become the reference run of an exercise. The
+// reference run can be played, or shown by transparent instruments (ghosts).
 #pragma once
 
 #include <vector>
@@ -20,8 +20,8 @@ struct MotionTolerance {
 // Returns a list of keys for each tool of RecordingFile::setup().scenario. The keys give the tool's
 // motion in the frames that lead from the start of the operation to `moment` (see courseTo()). They
 // begin when the tool is in hand for the first time, and end when it is in hand for the last time.
-// Between these times the tool may also be out of hand; the keys then follow its recorded pose. A
-// tool that is never in hand has no keys. Throws Error if the recording is damaged.
+// If the tool is out of hand in between, the keys follow its recorded pose. A tool that is never in
+// hand has no keys. Throws Error if the recording is damaged.
 std::vector<std::vector<ToolKey>> recordedMotions(RecordingFile& file, const Moment& moment,
                                                   const MotionTolerance& tolerance = {});
 

@@ -18,8 +18,8 @@ struct RecordedSetup {
   std::vector<Discretization> cells;  // one per organ, at its final position and with labels
   std::vector<ToolModel> tools;       // one per tool, with its meshes
   std::vector<Anatomy> anatomies;     // one per organ, at its final position; may have no vessels
-  // What stood round the organs. None: the recording is of a version that did not keep it; then it
-  // is what that version had, the tool box and a table without an end.
+  // What stood round the organs. None: an older version of the program made the recording. In such
+  // a version there were always the tool box and a table without an end.
   std::optional<Surroundings> surroundings = std::nullopt;
 };
 

@@ -1,7 +1,7 @@
 // Records an operation while it happens.
 //
 // The thread that steps the simulation hands each frame to the recorder, and the recorder's own
-// thread writes it. If the program is killed, the file can still be opened; at most the last
+// thread writes the frame. If the program is killed, the file can still be opened; at most the last
 // quarter of a second is missing from it. If the file cannot be written, for example because the
 // disk is full or too slow, the recording ends but the operation goes on. failure() then says why
 // the recording ended.
@@ -26,11 +26,11 @@ namespace resect {
 // The name and version of this program, as in RecordingInfo.
 std::string programName();
 
-// Digests of the state's fields after a step, in the order of fields().
+// Digests of the fields of the simulation's state after a step, in the order of fields().
 class FrameHashes {
  public:
-  // Digests are computed of the fields that the state of `start` has. start: a simulation at the
-  // start of its operation.
+  // Computes digests of the fields that the state of `start` has. start: a simulation at the start
+  // of its operation.
   explicit FrameHashes(const Simulation& start);
   // fields: names of the state's fields, as in RecordingInfo::fields.
   explicit FrameHashes(std::vector<std::string> fields) : hashes_(std::move(fields)) {}
@@ -65,14 +65,17 @@ class Recorder {
 
   // begin(), rename(), stood() and record() must be called by the thread that steps the simulation.
   // begin() records that a branch begins at the present state of `simulation`. rename() records
-  // that a branch has a new name.
+  // that a branch has a new name. If the user goes back and operates from an earlier moment, a new
+  // branch begins (operation/live/branch.h).
   void begin(const Branch& branch, const Simulation& simulation);
   void rename(const Branch& branch);
-  // To be called when operating pauses at the end of a branch. Records the ledger of this moment.
+  // To be called when operating pauses at the end of a branch. Records the ledger of this moment,
+  // an account of all tissue (operation/ledger/ledger.h).
   void stood(Moment moment, const Simulation& simulation);
   // To be called after each step. The frame must follow the last frame of its branch. Cost: 0.5 ms
-  // with 13 000 elastic particles. Once in kKeyStateSeconds, the time of Simulation::save() and
-  // Simulation::stateHash() is added.
+  // with 13 000 elastic particles. Once in kKeyStateSeconds a key state is stored too: a state from
+  // which playing can begin. The times of Simulation::save() and Simulation::stateHash() are then
+  // added.
   void record(Moment moment, const FrameInput& input, const StepReport& report,
               std::span<const OperationEvent> events, const Simulation& simulation);
   // As above, for an operation that has only branch 0.
@@ -112,7 +115,8 @@ class Recorder {
   RecordingFile file_;
   LedgerBooks books_;
   double frameRate_;
-  // Last frame. The input of a frame that does not follow it is written in full, not as changes.
+  // The last recorded frame. A frame that follows it is written as changes of the input, any other
+  // frame with its whole input.
   Moment last_{-1, 0};
   FrameInput before_;                   // input of the frame last_, without edits
   EventMemory events_;                  // for record() without events

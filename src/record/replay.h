@@ -1,4 +1,5 @@
-// Plays a recording, and verifies that a replay gives the recorded states and measurements again.
+// Plays a recording: computes its frames again from their inputs. Also verifies that a replay gives
+// the recorded states and measurements again.
 #pragma once
 
 #include <functional>
@@ -20,10 +21,11 @@ class Replay {
   Simulation& simulation() { return *simulation_; }
   std::int64_t branch() const { return branch_; }
 
-  // Goes to a frame. If the present frame is between this frame and the last key state before this
-  // frame, plays on from the present frame. Otherwise restores that key state and plays from there.
-  // If another version of the program recorded the key state and this version cannot restore it,
-  // plays from the start. Throws Error if the recording has no such frame or is damaged.
+  // Goes to a frame. Usually restores the last key state before this frame, and plays from there.
+  // If the present frame lies between the key state and the wanted frame, plays on from the present
+  // frame instead. If another version of the program recorded the key state and this version cannot
+  // restore it, plays from the start. Throws Error if the recording has no such frame or is
+  // damaged.
   void goTo(std::int64_t branch, std::int64_t frame);
   // Plays the next frame of the present branch. Returns false if the branch has no further frame.
   // `input` and `report`, if given, receive the frame's input and the step's report.
@@ -58,7 +60,7 @@ struct Verification {
   bool complete = true;  // RecordingFile::complete()
   std::optional<Difference> first;
   std::string program;        // program that made the recording, with its version
-  bool otherProgram = false;  // another version made it: key states are not compared
+  bool otherProgram = false;  // made by another version; key states are not compared
 };
 
 // Plays every branch from its first key state, and stops at the first difference. Compares the

@@ -28,8 +28,8 @@ std::shared_ptr<Recorder> recordSession(const Scenario& scenario, const Simulati
 std::shared_ptr<Recorder> recordSession(const Scenario& scenario, RecordingFile& done,
                                         const Simulation& simulation);
 
-// Makes a watch that passes the events of a live operation to the recorder. The watch keeps the
-// recorder alive.
+// Makes a watch, a set of callbacks, that passes the frames and events of a live operation to the
+// recorder. The watch keeps the recorder alive.
 OperationWatch watchOf(std::shared_ptr<Recorder> recorder);
 
 struct SessionRecording {

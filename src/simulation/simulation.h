@@ -1,10 +1,10 @@
 // The simulation of an operation, frame by frame: tools move, touch and act; tissue moves; the
 // surface follows.
 //
-// A simulation uses no file and no window. The only clock that it uses measures the time of its
-// stages. So it runs without a display, and several simulations can run in one process. Its inputs
-// alone determine the results: the same inputs give the same bits at any number of threads.
-// docs/step.md describes a step stage by stage.
+// A simulation uses no file and no window. So it runs without a display, and several simulations
+// can run in one process. A clock only measures the time of the stages. The inputs alone determine
+// the results: the same inputs give the same bits at any number of threads. docs/step.md describes
+// a step stage by stage.
 #pragma once
 
 #include <array>
@@ -40,19 +40,19 @@ struct FrameInput {
   double duration = 1.0 / 60;    // s, 0 (nothing moves) to kLongestFrame
   std::vector<ToolInput> tools;  // one per tool, in the order of Simulation::tools
   std::optional<float> iso;      // if given: new iso level, valid from this frame on
-  // Edits from outside, such as those of a script. They are applied before the edits that working
-  // parts queue in this frame. The working parts do not see the effect of these edits before the
-  // next frame.
+  // Edits from outside, such as those of a script. They are applied before the edits of the tools'
+  // working parts (tools/working_part.h). The working parts queue their edits first. So they take
+  // account of the edits from outside only from the next frame on.
   std::vector<TissueEdit> edits;
-  // Whether the user let go of the input device before this frame, which ends a stroke
-  // (operation/live/strokes.h). No stage of the step reads this.
+  // Whether the user let go of the input device before this frame. This ends a stroke, a period in
+  // which instruments work on organs (operation/live/strokes.h). No stage of the step reads this.
   bool strokeEnds = false;
   // If given: from this frame on the patient breathes, or holds the breath (Breath::on). Has no
   // effect if the simulation has no breathing.
   std::optional<bool> breathes = {};
 };
 
-// A vessel segment that was cut, or cut further, in a frame.
+// A segment of a vessel. organ: number of the organ. segment: number of the segment in the organ.
 struct CutVessel {
   std::int32_t organ = 0, segment = -1;
 };
@@ -72,13 +72,15 @@ struct StepReport {
   double removedVolume = 0;  // volume removed, m^3
   // severed: number of bonds severed by cuts and edits. torn: number of bonds torn by load.
   std::int64_t severed = 0, torn = 0;
-  std::int64_t touchedBricks = 0;  // number of bricks evaluated and meshed again
+  // Number of bricks that were evaluated and meshed again. A brick is a block of nodes of the
+  // colour field (sph/colour_field.h).
+  std::int64_t touchedBricks = 0;
   // One entry for each pair of a tool and an organ. The entries of one tool follow each other, in
   // the order of the organs. If a tool is not in hand, its entries have no particles.
   std::vector<ToolContacts> contacts;
   // edits: first the edits of the input, then the edits that tools queued. Edits that were skipped
-  // (apply_edits.h) are included. caused: edits caused by the motion of tissue and blades: cuts,
-  // tears, slipped grips.
+  // (apply_edits.h) are included. caused: edits for cuts, tears and slipped grips, which the motion
+  // of tissue and blades has caused.
   std::vector<TissueEdit> edits;
   std::vector<TissueEdit> caused;
   std::vector<TissueStep> tissue;  // one per organ
@@ -125,14 +127,14 @@ class Simulation {
   Simulation(Organ organ, std::vector<std::unique_ptr<Tool>> tools,
              std::unique_ptr<TissueModel> tissue = nullptr, bool table = true);
   // Sets what stands round the organs, in place of what stood there before: bodies that moving
-  // tissue cannot enter, and the table's edge. Before, there are no bodies, and the table has no
-  // end. Call before the first step. Has no effect if no tissue moves.
+  // tissue cannot enter, and the table's edge. Without a call, there are no bodies, and the table
+  // has no end. Call before the first step. Has no effect if no tissue moves.
   void surround(Surroundings surroundings);
   const Surroundings& surroundings() const { return surroundings_; }
 
-  // Lets the patient breathe: whatever holds moving tissue, and the table under it, then move. Call
-  // before the first step. Has no effect if the depth is 0 or if no tissue moves. Throws Error if a
-  // value is out of range.
+  // Lets the patient breathe: the attachments of moving tissue, and the table under the tissue,
+  // then move. Call before the first step. Has no effect if the depth is 0 or if no tissue moves.
+  // Throws Error if a value is out of range.
   void setBreathing(const Breathing& breathing);
 
   // Computes one frame. If `clock` is given, it gets the time of each stage under the stage's name.
@@ -140,8 +142,8 @@ class Simulation {
   //
   //   - the number of tools in the input differs from the number of tools();
   //   - the input's duration is out of range;
-  //   - an edit names an organ or a tool that does not exist;
-  //   - an edit is a grip with a pose that is not finite.
+  //   - an edit of the input names an organ, a tool or a cell that does not exist;
+  //   - an edit of the input is a grip with a pose that is not finite.
   //
   // If the step is cancelled (base/stop.h), call restore() or destroy the simulation.
   StepReport step(const FrameInput& input, StageClock* clock = nullptr);
@@ -155,7 +157,7 @@ class Simulation {
   double time() const { return time_; }
   std::int64_t frame() const { return frame_; }
   bool moves() const;  // whether the tissue of any organ moves
-  // How the patient breathes, and the present breath. No breathing: the depth is 0.
+  // How the patient breathes, and the present breath. Without breathing, Breathing::depth is 0.
   const Breathing& breathing() const { return breathing_; }
   const Breath& breath() const { return breath_; }
 
@@ -164,11 +166,11 @@ class Simulation {
   const TissueModel& tissue() const { return *organs_[0].tissue; }
   std::span<const Vec3f> surfacePoints() const { return organs_[0].points(); }
 
-  // The present surface of all organs as one mesh, world, m. The holes of the surface's arrays are
-  // left out.
+  // The present surface of all organs as one mesh, world, m.
   TriangleMesh surfaceMesh() const;
 
-  // From now on each step also updates normals and cut shares. Only pictures need them.
+  // From now on each step also updates the vertices' normals and cut shares. Only pictures need
+  // them. A cut share goes from 0 on the organ's original surface to 1 on cut faces.
   void keepLook();
   // The mesh of surfaceMesh() with normals and cut shares. Throws Error unless keepLook() was
   // called before.

@@ -14,8 +14,9 @@ struct StandingBody {
   std::string name;
   TriangleMesh shape;  // closed
   Pose pose;           // of the shape in the world
-  // Side of the cells of the grid of distances to the body, m; 0: a third of a tissue cell, 1 to 3
-  // mm. The grid takes as long to make as it has cells.
+  // The distances to the body are stored on a grid. This is the side of the grid's cells, m. 0: a
+  // third of a tissue cell, but at least 1 mm and at most 3 mm. The time to make the grid is
+  // proportional to the number of its cells.
   double cell = 0;
 
   template <class Visitor>
@@ -24,9 +25,9 @@ struct StandingBody {
   }
 };
 
-// Where the table ends, and the floor onto which tissue falls beyond.
+// The edge of the table, and the floor onto which tissue falls beyond the edge.
 struct TableEdge {
-  double halfWidth = 0, halfDepth = 0;  // along x and z, m
+  double halfWidth = 0, halfDepth = 0;  // half of the table's sides along x and z, m
   double floor = 0;                     // height, m
 
   template <class Visitor>

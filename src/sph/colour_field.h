@@ -1,21 +1,22 @@
 // The SPH colour field of a lattice organ, on a grid of nodes stored in sparse bricks.
 //
-// The field at a node is c = sum over cells j of A_j V W(r - r_j, h), equation 3.6 of the thesis.
-// A_j is the colour value of cell j, 0 to 100; V is the volume of a cell; W is the kernel
-// (sph/kernel.h) with smoothing length h = 0.8 spacing; r is the position of the node; r_j is the
-// centre of cell j. The lattice is regular, so for each position of a node within its cell the sum
-// is a fixed stencil of at most 36 cells. Distances are measured in cells. So on a lattice with
-// unequal spacings, the kernel is stretched in the same way as the cells. There are `refine` nodes
-// per cell along each axis. Along each axis node 0 lies two cells below the centre of cell 0, so
-// the field at the outermost nodes is always 0.
+// The field at a node is c = sum over cells j of A_j V W(r - r_j, h), equation 3.6 of the diploma
+// thesis that Resect continues. A_j is the colour value of cell j, 0 to 100; V is the volume of a
+// cell; W is the kernel (sph/kernel.h) with smoothing length h = 0.8 spacing; r is the position of
+// the node; r_j is the centre of cell j. The lattice is regular, so for each position of a node
+// within its cell the sum is a fixed stencil of at most 36 cells. Distances are measured in cells.
+// So on a lattice with unequal spacings, the kernel is stretched in the same way as the cells.
+// There are `refine` nodes per cell along each axis. Along each axis node 0 lies two cells below
+// the centre of cell 0, so the field at the outermost nodes is always 0. A "cell" here is a cell of
+// the lattice. A "grid cell" is a box with eight neighbouring nodes as its corners.
 //
-// Nodes are held in bricks of 4 x 4 x 4. A brick is stored only if the surface can pass through it.
-// In all other bricks the values of the nodes are known: all cells in the brick's reach (the cells
-// that have a weight at one of its nodes) are empty, or all are full. A change of a cell is never
-// added to the field or subtracted from it. Instead, the bricks in the cell's reach are evaluated
-// again. So the field depends on the present cells alone, bit for bit. The cost of a change depends
-// on the number of bricks in reach, not on the size of the organ. The first change also writes 5
-// bytes for each brick of the grid.
+// Nodes are held in bricks of 4 x 4 x 4 nodes. A brick is stored only if the surface can pass
+// through it. In all other bricks the values of the nodes are known: all cells in the brick's reach
+// (the cells that have a weight at one of its nodes) are empty, or all are full. A change of a cell
+// is never added to the field or subtracted from it. Instead, the bricks in the cell's reach are
+// evaluated again. So the field depends on the present cells alone, bit for bit. The cost of a
+// change depends on the number of bricks in reach, not on the size of the organ. The first change
+// also writes 5 bytes for each brick of the grid.
 #pragma once
 
 #include <array>
@@ -38,9 +39,10 @@ void requireIso(float iso);  // throws Error for a level out of this range
 
 class ColourField {
  public:
-  // Slots of bricks that are not stored. A slot describes the nodes of the brick, and also the
-  // planes of nodes just above the brick, which belong to the next bricks. kEmpty: the field is 0
-  // at all these nodes. kFull: all these nodes lie in solid tissue.
+  // The slot of a brick is the number under which its nodes are stored. These two values are the
+  // slots of bricks that are not stored. kEmpty: the field is 0 at all nodes of the brick. kFull:
+  // all nodes of the brick lie in solid tissue. The same holds for the planes of nodes just above
+  // the brick, which belong to the next bricks.
   static constexpr std::int32_t kEmpty = -1;
   static constexpr std::int32_t kFull = -2;
 
@@ -53,8 +55,8 @@ class ColourField {
   // cache.
   struct NodesLater {};
   ColourField(const Discretization& cells, int refine, NodesLater);
-  // The bricks that were stored when the field was built, in ascending order. The i-th brick in
-  // this list has slot i. The span is valid until the first update() after a change.
+  // The bricks that were stored when the field was built, in ascending order. The i-th of these
+  // bricks has slot i. The span is valid until the first update() after a change.
   std::span<const std::int32_t> builtBricks() const { return builtBricks_; }
   void evaluateBuilt(std::size_t begin, std::size_t end);  // evaluates builtBricks()[begin, end)
 
@@ -99,7 +101,7 @@ class ColourField {
   float cellValue(std::int64_t cell) const {
     return cells_.value(cells_.index(lattice_.cell(cell)));
   }
-  // Sets a cell's colour value, in [0, 100]; the field follows at the next update().
+  // Sets a cell's colour value, in [0, 100]. The next update() evaluates the field again.
   void setCellValue(std::int64_t cell, float value);
   // Evaluates the bricks in reach of the cells that were set since the last update(). Returns these
   // bricks, in ascending order, each once. A returned brick may have no changed node: a vertex or
@@ -111,7 +113,8 @@ class ColourField {
   bool edited(std::int64_t brick) const {
     return !originalOf_.empty() && originalOf_[brick] != kUnedited;
   }
-  // edited() of the brick or of a brick above it, whose nodes the brick's upper cells use too.
+  // edited() of the brick, or of a brick above it. The upper grid cells of the brick also use nodes
+  // of the bricks above.
   bool cellsEdited(std::int64_t brick) const;
   // The results that nodes() and node() had when the field was built, before any edit.
   const float* originalNodes(const Vec3i& brick) const {
@@ -168,7 +171,7 @@ class ColourField {
   RawArray<std::int32_t> builtBricks_;
   RawArray<float> values_;  // the nodes of stored bricks, at firstNode(slot)
   std::vector<std::int32_t> freeSlots_;
-  // Per brick: kUnedited; or, for an edited brick, the place of the node values from before any
+  // Per brick: kUnedited; or, for an edited brick, the place of its node values from before any
   // edit: a slot of originals_, kFull or kEmpty. Empty before the first change.
   std::vector<std::int32_t> originalOf_;
   RawArray<float> originals_;  // nodes of edited bricks before any edit

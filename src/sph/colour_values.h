@@ -2,10 +2,10 @@
 //
 // A value that is k * 100/128 with a whole number k has the level k. As long as all values have
 // levels, only the levels are stored, in one byte each. All values of an organ that is made from a
-// mesh have levels: discretize() counts 4 x 4 x 4 samples, fitSurface() rounds its corrections, and
-// tools only set cells to 0. The value of a level is exact as a float, since 100/128 has few binary
-// digits. When a value without a level is set, all values are converted to floats, and they
-// remain floats. Levels need a quarter of the memory traffic of floats.
+// mesh have levels: discretize() counts 4 x 4 x 4 sample points per cell, fitSurface() rounds its
+// corrections, and tools only set cells to 0. The value of a level is exact as a float, since
+// 100/128 has few binary digits. When a value without a level is set, all values are converted to
+// floats, and they remain floats. Levels need a quarter of the memory traffic of floats.
 #pragma once
 
 #include <cmath>

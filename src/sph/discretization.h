@@ -15,7 +15,8 @@ namespace resect {
 // Arrays have one entry per lattice cell, x fastest.
 struct Discretization {
   Lattice lattice;
-  // How much of each cell is inside the organ, per cent. The thesis's files have only 0 and 100.
+  // How much of each cell is inside the organ, per cent. In .dis files, the format of the diploma
+  // thesis that Resect continues, there are only 0 and 100.
   ColourValues value;
   // 1 where the cell's centre is inside the organ, else 0. The cells with 1 are the particles. Any
   // other cell with a value above 0 is a skin cell: some of it is filled, but its centre is

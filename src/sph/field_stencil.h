@@ -1,5 +1,6 @@
 // Stencils of the colour field: the weights of the cells in reach of a node, and the weighted sums
-// for the nodes of a brick.
+// for the nodes of a brick. A brick has 4 x 4 x 4 nodes (sph/colour_field.h); a plane of a brick
+// has 4 x 4 nodes.
 //
 // The rest lattice is regular, so nodes at the same position within their cells have the same
 // weights. With one or two nodes per cell along an axis (refine 1 and 2), every node lies, along
@@ -25,12 +26,13 @@ constexpr double kSmoothingPerSpacing = 0.8;  // h / spacing: the kernel's radiu
 struct FieldStencil {
   // One value for each node of half a plane of a brick: two rows of four nodes.
   struct alignas(32) HalfPlane : std::array<float, 8> {};
-  // A tap stands for one offset of a cell from a node's own cell: it has the weight of the cell at
-  // this offset, for each of the 16 nodes of a plane. Nodes at different positions within their
-  // cells have different weights. The weight is 0 where the cell is out of the reach of the node.
+  // A tap belongs to one offset, counted in cells from the cell that contains a node. For each of
+  // the 16 nodes of a plane, it has the weight of the cell at this offset. Nodes at different
+  // positions within their cells have different weights. The weight is 0 if the cell is out of the
+  // reach of the node.
   struct Tap {
     std::array<HalfPlane, 2> weight;
-    // The offset as an index into CellTable (field_stencil.cpp), counted from the node's own cell.
+    // The offset as an index into CellTable (field_stencil.cpp).
     int offset;
   };
 
@@ -66,9 +68,9 @@ void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const float* low,
               std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out);
 
 // As above, for cells that are stored as levels (sph/colour_values.h). The results have the same
-// bits. alongY and alongZ are counted in cells. Reads up to 16 cells along x. This overload uses
-// AVX2 where the machine has it. sumBrickPlainly() computes the same bits without it; tests and
-// benchmarks compare the two.
+// bits as for floats. alongY and alongZ are counted in cells. Reads up to 16 cells along x. This
+// overload uses AVX2 where the machine has it. sumBrickPlainly() computes the same bits without it;
+// tests and benchmarks compare the two.
 void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const std::uint8_t* low,
               std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out);
 

@@ -1,6 +1,6 @@
 // Occupancy masks: two bits per cell. The bit "any" is set if the cell holds some tissue, the bit
-// "full" if the cell is full. The bits are stored in rows of 64-bit words, so that 64 cells are
-// combined at once.
+// "full" if the cell is full. The bits are stored in rows of 64-bit words, so that one operation
+// combines the bits of 64 cells.
 #pragma once
 
 #include <cstddef>

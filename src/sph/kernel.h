@@ -1,4 +1,4 @@
-// The quartic spline kernel M5 of the thesis, corrected.
+// The quartic spline kernel M5 of the diploma thesis that Resect continues, corrected.
 //
 // Source: Schoenberg's quartic B-spline as used in SPH (Monaghan 1985). The thesis has two errors,
 // which are corrected here. Let s = r / h. In the thesis, the formula for 0.5 <= s < 1.5 has the

@@ -10,14 +10,15 @@
 
 #include "sph/field_stencil.h"
 
-// -Wpsabi warns about the calling convention of functions that return vectors. It does not matter
-// here, since all of them are inlined.
+// -Wpsabi warns about the calling convention of functions that return vectors. The warning does not
+// matter here, since all these functions are inlined.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace resect {
 
-// Row: the values of the four nodes of a row of a brick. Half: the values of two rows, which are
-// half a plane of a brick. Half suits processors with vectors of eight floats.
+// A brick has 4 x 4 x 4 nodes. Row: the values of the four nodes of a row of a brick. Half: the
+// values of two rows, which are half a plane of a brick. Half suits processors with vectors of
+// eight floats.
 typedef float Row __attribute__((vector_size(16)));
 typedef float Half __attribute__((vector_size(32)));
 

@@ -17,7 +17,8 @@ class PaddedCells {
   static constexpr int kBelow = 3, kAbove = 7;
 
   PaddedCells() = default;
-  // held: receives the occupancy masks, one row for each row of cells along x, halo included.
+  // held: receives the occupancy masks (sph/held_bits.h), one row for each row of cells along x,
+  // halo included.
   PaddedCells(const Discretization& cells, HeldBits& held);
 
   const Vec3i& dims() const { return dims_; }

@@ -1,14 +1,14 @@
 // SPH interpolation of any attribute at any point, from particles anywhere in space.
 //
-// These are the SPH sums of the thesis (equations 3.2 to 3.6) at a point r. A_j, V_j, m_j and r_j
-// are the attribute, volume, mass and position of particle j; W and h are the kernel and its
-// smoothing length (sph/kernel.h). The particles are sorted into a uniform grid once, in O(number
-// of particles). A query visits only the particles in the grid's cells near r. The grid's cells are
-// at least as wide as the kernel's radius, 2.5 h.
+// These are the SPH sums at a point r, equations 3.2 to 3.6 of the diploma thesis that Resect
+// continues. A_j, V_j, m_j and r_j are the attribute, volume, mass and position of particle j; W
+// and h are the kernel and its smoothing length (sph/kernel.h). The particles are sorted into a
+// uniform grid once, in O(number of particles). A query visits only the particles in the grid's
+// cells near r. The grid's cells are at least as wide as the kernel's radius, 2.5 h.
 //
-// Organs on a lattice use the much faster sph/colour_field.h. The sums here are the general form,
-// and the reference in the tests of the colour field. Sources: Gingold and Monaghan 1977; Muller,
-// Charypar and Gross 2003.
+// Organs on a lattice use the much faster sph/colour_field.h. The sums here are more general. The
+// tests of the colour field compare the field with these sums. Sources: Gingold and Monaghan 1977;
+// Muller, Charypar and Gross 2003.
 #pragma once
 
 #include <span>

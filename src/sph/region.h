@@ -1,7 +1,7 @@
-// A part of an organ. It is given by geometry and never by cell numbers, so it is the same part at
-// any spacing. The part is a box, a ball or the whole organ. It may be limited to a range of depths
-// under the organ's surface. docs/scenarios.md, "Regions", lists the keys with which files give a
-// region.
+// A region: a part of an organ. A region is given by geometry and never by cell numbers, so it is
+// the same at any spacing. It is a box, a ball or the whole organ. It may be limited to a range of
+// depths under the organ's surface. docs/scenarios.md, "Regions", lists the keys with which files
+// give a region.
 #pragma once
 
 #include <limits>
@@ -15,8 +15,8 @@
 
 namespace resect {
 
-// A named point of an organ. Its coordinates are fractions of the organ's box: (0, 0, 0) is the
-// lowest corner of the box, (1, 1, 1) the highest.
+// A named point of an organ. Its coordinates are fractions of the organ's box, the bounding box of
+// the organ's particles: (0, 0, 0) is the lowest corner of the box, (1, 1, 1) the highest.
 struct Landmark {
   std::string name;
   Vec3 place = Vec3::Zero();

@@ -2,21 +2,23 @@
 // ranges of the surface's arrays the last update changed.
 //
 // The method is incremental marching cubes (Lorensen and Cline 1987) over the bricks of a colour
-// field. The mesh depends on the field, the iso level and the wound alone. So after any edits
-// mesh() equals, bit for bit, the mesh that a rebuild from scratch gives. The mesh is closed and
-// oriented outwards. The cost of an update depends on the number of touched bricks, not on the size
-// of the organ.
+// field, its blocks of 4 x 4 x 4 nodes. The wound is the set of all incisions of the organ. The
+// mesh depends on the field, the iso level and the wound alone. So after any edits mesh() equals,
+// bit for bit, the mesh that a rebuild from scratch gives. The mesh is closed and oriented
+// outwards. The cost of an update depends on the number of touched bricks, not on the size of the
+// organ.
 //
-// Incisions are meshed in the same bricks (wound/wound_brick.h). An incision removes nothing: its
-// two lips coincide until the tissue moves. Bricks without cuts are meshed by marching cubes as
-// usual.
+// Incisions are meshed in the same bricks (wound/wound_brick.h). An incision removes nothing. Its
+// two cut faces, the lips, coincide until the tissue moves. Bricks without cuts are meshed by
+// marching cubes as usual.
 //
 // points(), normals(), cut() and triangles() are arrays for viewers. Each brick owns a range of the
 // vertices and a range of the triangles. A brick keeps its ranges as long as the rounded sizes of
 // the ranges (surface/range_allocator.h) stay the same. So the arrays have unused elements
 // ("holes"). An unused triangle is (0, 0, 0). changes() lists the ranges that a viewer must copy
-// again. Only pictures need normals and cut shares (isosurface/brick_look.h), so they are computed
-// only when updateLook() is called.
+// again. The cut share of a vertex goes from 0 on the original surface to 1 on cut faces
+// (isosurface/brick_look.h). Only pictures need normals and cut shares, so these are computed only
+// when updateLook() is called.
 #pragma once
 
 #include <array>
@@ -47,8 +49,7 @@ class SurfaceTracker {
   // Meshes some bricks again. touched: the bricks that field.update() returned.
   void update(const ColourField& field, std::span<const std::int64_t> touched);
   // As above, for an organ with incisions. severed: the bricks that wound.severed.update()
-  // returned. After a wound was given, every later call must be given it too, unless a state was
-  // restored.
+  // returned. Once a wound was given, all later calls need it too, until a state is restored.
   void update(const ColourField& field, std::span<const std::int64_t> touched, const Wound& wound,
               std::span<const TouchedBrick> severed);
   // As above, after a state was restored: every brick near the wound, and near the wound that the
@@ -66,13 +67,15 @@ class SurfaceTracker {
   std::span<const Vec3f> points() const { return points_; }  // rest space, m
   // normals() and cut() throw Error if the surface has changed since the last updateLook().
   std::span<const Vec3f> normals() const;  // unit, outwards
-  std::span<const float> cut() const;      // cut shares, 0 to 1, or kRimShare at a rim
+  // The cut shares, 0 to 1; kRimShare where a cut meets the surface.
+  std::span<const float> cut() const;
   std::span<const Triangle> triangles() const { return triangles_; }
   std::int64_t triangleCount() const { return triangleCount_; }  // holes not counted
 
   // Calls visit(first, bindings) for each brick near a wound. `first` is the index of the brick's
-  // first vertex; `bindings` are the bindings of the brick's vertices, in order. A vertex of any
-  // other brick follows all particles at the corners of the lattice cube that contains it.
+  // first vertex. `bindings` has, for each vertex of the brick in order, the particles with which
+  // the vertex moves. A vertex of any other brick moves with all particles at the corners of the
+  // lattice cube that contains the vertex (wound/vertex_binding.h).
   template <typename Visit>
   void visitBindings(Visit visit) const {
     for (const std::int32_t record : recordOf_)
@@ -112,8 +115,8 @@ class SurfaceTracker {
       visit(triangle[t], t >= plain && wound[std::size_t(t - plain)].lip);
   }
 
-  // What the last update() or setIso() changed: some ranges of vertices and of triangles, or
-  // everything.
+  // What the last call of an update function or of setIso() changed: some ranges of vertices and of
+  // triangles, or everything.
   struct Changes {
     std::vector<IndexRange> vertices, triangles;
     std::int64_t bricks = 0;  // number of bricks that were meshed
@@ -183,7 +186,7 @@ class SurfaceTracker {
   }
   friend FieldAndSurface buildFieldAndSurface(const Discretization&, int, float);
   SurfaceTracker() = default;
-  // The stages of meshing everything.
+  // The stages of meshing the whole surface.
   void meshAll(const ColourField& field, const RangeBody* evaluate, const Wound* wound);
   RawArray<std::int32_t> numberRecords(const ColourField& field, const Wound* wound);
   void clear(const ColourField& field, std::size_t bricks);

@@ -26,7 +26,9 @@ struct SurfaceUpdate {
 
   std::vector<IndexRange> newVertices;
   std::vector<Vec3f> rest;  // rest positions, m
-  std::vector<float> cut;   // cut shares, 0 to 1; kRimShare at rims of cuts
+  // Cut shares, from 0 on the organ's original surface to 1 on cut faces; kRimShare where a cut
+  // meets the surface.
+  std::vector<float> cut;
 
   std::vector<IndexRange> movedVertices;  // including the new vertices
   std::vector<Vec3f> points, normals;     // present positions (world, m); normals (unit, outwards)

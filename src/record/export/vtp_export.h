@@ -8,8 +8,9 @@
 
 namespace resect {
 
-// The files of a series. The name folder/series.vtp stands for folder/series_0001.vtp,
-// folder/series_0002.vtp and so on, and for folder/series.pvd, which lists them.
+// The files of a series: one .vtp file per moment, and a .pvd file that lists them. The name
+// folder/series.vtp stands for folder/series_0001.vtp, folder/series_0002.vtp and so on, and for
+// folder/series.pvd.
 struct VtpSeries {
   NumberedOutputs files;
   std::filesystem::path list;

@@ -23,7 +23,7 @@ class Database {
   // the database is empty. Fails if `path` is a symbolic link. name: the file's name in messages.
   Database(const std::filesystem::path& path, const std::string& name);
   // Throws Error if there is a file at `path`, or a file with a name that SQLite would use beside
-  // it (`path` plus -wal, -shm or -journal). SQLite would remove a file with such a name.
+  // it (`path` plus -wal, -shm or -journal), since SQLite would remove such a file.
   static void requireNothingAt(const std::filesystem::path& path);
   // Removes the files named `path` plus -wal, -shm or -journal. To be called before the database
   // file at `path` is replaced, since SQLite would take these files for files of the new database.
@@ -31,7 +31,7 @@ class Database {
   // An empty database in memory. name: used in messages.
   static Database inMemory(const std::string& name);
   // Opens a database from an untrusted source. `bytes` has the bytes of the database file and of
-  // the write-ahead log, which SQLite applies. No trigger, view or function of the database's
+  // its write-ahead log. SQLite applies the log. No trigger, view or function of the database's
   // schema is run. Used in the child process that reads such files
   // (record/file/foreign_recording.h).
   Database(RecordingBytes& bytes, const std::string& name);

@@ -29,12 +29,12 @@ struct RecordingShape {
 };
 RecordingShape shapeOf(Database& own);
 
-// Adds all rows of the recording at `path`, including those in its write-ahead log (-wal), to the
-// tables of `own`, which must be empty. Returns the errors that SQLite's integrity check finds in
-// the file, in one line; empty if there are none. Throws Error if the file is not a recording, if
-// its schema version or its tables differ from those of `own`, if file and log together have more
-// than 1 GB, or if a value is of another type than its column. Throws Cancelled if `progress`
-// returns false. Memory while it runs: about three times the file's size.
+// Adds all rows of the recording at `path`, including those in its write-ahead log (-wal), to
+// `own`. `own`: a recording whose tables are empty. Returns the errors that SQLite's integrity
+// check finds in the file, in one line; empty if there are none. Throws Error if the file is not a
+// recording, if its schema version or its tables differ from those of `own`, if file and log
+// together have more than 1 GB, or if a value is of another type than its column. Throws Cancelled
+// if `progress` returns false. Memory while it runs: about three times the file's size.
 std::string addForeignRows(const std::filesystem::path& path, Database& own,
                            const Progress& progress = {});
 

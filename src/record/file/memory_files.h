@@ -16,9 +16,9 @@ struct RecordingBytes {
 };
 
 // Prepares SQLite for use in a child process with one thread. To be called before the sandbox is
-// entered. From then on SQLite takes no locks. At the fork, another thread of the parent may hold a
-// lock, and nobody would release this lock in the child. Databases that the parent has opened must
-// not be used in the child.
+// entered. From then on SQLite takes no locks. With locks, the child could wait forever: if another
+// thread of the parent held a lock at the fork, nobody would release it in the child. Databases
+// that the parent has opened must not be used in the child.
 void prepareSqliteInChild();
 
 // Makes the VFS serve `bytes` and returns the name of the VFS. In this VFS, the file name of the

@@ -1,7 +1,9 @@
 // The file of a recording: a SQLite database with the tables that docs/recording.md describes.
 //
 // RecordingFile only stores and reads rows. record/recorder.h fills the file while an operation
-// runs; record/replay.h plays it.
+// runs. record/replay.h plays the file: it computes the recorded frames again from their inputs. If
+// the user goes back and operates from an earlier moment, a new branch of the operation begins
+// (operation/live/branch.h).
 #pragma once
 
 #include <cstdint>
@@ -39,7 +41,7 @@ struct RecordedFrame {
   std::vector<std::uint64_t> hashes;
 };
 
-// A state from which playing can begin.
+// A state of the simulation, from which playing can begin.
 struct KeyState {
   std::int64_t branch = 0, frame = 0;
   Bytes state;                  // Simulation::save()
@@ -53,12 +55,12 @@ struct RecordedSample {
   double tip[3] = {}, force[3] = {};  // world, m and N
 };
 
-// The ledger after a frame (operation/ledger/ledger.h), as rows of the tables `ledger` and
-// `wounds`.
+// The ledger after a frame, as rows of the tables `ledger` and `wounds`. A ledger is an account of
+// all tissue (operation/ledger/ledger.h).
 struct RecordedLedger {
   struct Amount {
     std::int64_t organ = 0, label = 0;
-    std::string part;  // before, body, piece, debris or removed
+    std::string part;  // where the tissue is: before, body, piece, debris or removed (TissueSplit)
     // Number of the piece: 1 for the largest piece, 2 for the next, and so on. 0 for other parts.
     std::int64_t number = 0;
     std::int64_t particles = 0;
@@ -67,7 +69,8 @@ struct RecordedLedger {
   };
   struct Wound {
     std::int64_t organ = 0, label = -1;  // -1: none
-    // "cut" or "bared", with `amount` in cm^2, or "margin", with `amount` in mm.
+    // "cut" or "bared": `amount` is the area of cut faces, or of faces bared by removing tissue,
+    // cm^2. "margin": `amount` is the least distance of the structure from these faces, mm.
     std::string kind;
     double amount = 0;
     bool operator==(const Wound&) const = default;
@@ -87,8 +90,8 @@ struct RecordingInfo {
   std::vector<std::string> fields;
 };
 
-// Makes an empty database a recording without rows: sets the application id and the schema version,
-// and creates the tables.
+// Turns an empty database into a recording without rows: sets the application id and the schema
+// version, and creates the tables.
 void makeRecordingTables(Database& database);
 
 class RecordingFile {
@@ -101,8 +104,9 @@ class RecordingFile {
                               const RecordedSetup& setup, const Branch& first,
                               const KeyState& start);
   // Creates a file at `path` with a copy of everything in `done`, so that more can be added. Throws
-  // Error if a file exists at `path`. Does not check whether this program's state has the fields
-  // whose digests `done` keeps; Recorder's constructor does that.
+  // Error if a file exists at `path`. `done` has digests of the fields of a state. Recorder's
+  // constructor checks that the state of this program has no other fields; goOn() does not check
+  // this.
   static RecordingFile goOn(const std::filesystem::path& path, RecordingFile& done);
   // Reads a finished or an interrupted recording into memory, through the sandbox
   // (record/file/foreign_recording.h). Throws Error if the file is not a recording, or if its
@@ -131,9 +135,9 @@ class RecordingFile {
   void add(const RecordedSample& sample);
   void add(const RecordedLedger& ledger);
   // Copies everything into an empty file and marks the copy as a finished recording. Must not be
-  // called between begin() and commit(). name: the file's name in messages. moment: the result of
-  // moment() for the copy. If its frame comes after the end of the branch, it is replaced by the
-  // branch's last frame.
+  // called between begin() and commit(). name: the file's name in messages. moment: what moment()
+  // returns for the copy. A frame after the end of the branch is replaced by the branch's last
+  // frame.
   void copyTo(const std::filesystem::path& path, const std::string& name,
               std::optional<Moment> moment);
   // Marks the recording as complete and merges the write-ahead log into the file.

@@ -1,7 +1,9 @@
 // An attempt at a task, as a recording shows it: plain data from which all measures are computed.
 //
-// readAttempt() (skills/attempt/read_attempt.h) makes an Attempt by playing the recording. So an
-// old recording can be scored again, even by measures that did not exist when it was made.
+// readAttempt() (skills/attempt/read_attempt.h) makes an Attempt by playing the recording: it
+// computes the recorded frames again. So an old recording can be scored again, even by measures
+// that did not exist when it was made. "At rest" and "in rest space" mean: in the positions before
+// any deformation.
 #pragma once
 
 #include <optional>
@@ -49,7 +51,8 @@ struct VesselStory {
   double cut = 0;             // time of the first cut, s
   int tool = -1;              // number of the tool that made the first cut; -1: unknown
   bool before = false;        // whether it was cut before the operation began
-  // Whether the root end, and whether the far end, was closed before the cut.
+  // Whether the vessel was closed before the cut, on the side of the root of its tree of vessels
+  // and on the far side.
   bool clippedRoot = false, clippedFar = false;
   bool severed = false;
   // Time since which all its cut ends have been closed by clips or heat, s; none: an end is open.
@@ -68,7 +71,8 @@ struct ClipPlaced {
 // Amounts of tissue after a frame; recorded once per simulated second, and at the end.
 struct TissueMoment {
   double time = 0;  // s
-  // Volumes, m^3, summed over all organs. `removed` includes debris.
+  // Volumes, m^3, summed over all organs. body: the largest part of each organ. pieces: parts that
+  // came off. removed: destroyed tissue, and debris: parts that are too small to be a piece.
   double body = 0, pieces = 0, removed = 0;
   double cut = 0;  // area cut or torn, m^2
 };
@@ -80,8 +84,8 @@ struct Specimen {
   double target = 0;            // volume of the goal's structure in the piece, m^3
 };
 
-// A frame in which the goal's instrument was at work, with its position relative to the goal's line
-// or plane.
+// A frame in which the goal's instrument was at work, with the instrument's position relative to
+// the goal's line or plane.
 struct WorkMoment {
   std::size_t frame = 0;
   double along = 0;  // position along the line, m from its beginning
@@ -90,13 +94,14 @@ struct WorkMoment {
 
 // How near the instruments were to the goal, frame by frame.
 struct GoalTrace {
-  // First index: target; second index: frame. Distance from the target to the nearest tip, m. Only
+  // Distance from a target to the nearest tip, m. First index: target; second index: frame. Only
   // instruments that are in hand and that the goal accepts count. Infinite if there is no such
   // instrument.
   std::vector<std::vector<float>> distance;
   // Positions, m, of the targets, or of points along the line at most 3 mm apart, or of the point
   // of the plane. restPlaces: in rest space. places: in the world, at the end of the last frame
-  // before an instrument begins to work; by then the tissue has come to rest.
+  // before an instrument begins to work. By then the tissue has sunk under its weight and lies
+  // still.
   std::vector<Vec3> restPlaces, places;
   double lineLength = 0;  // m
   std::vector<WorkMoment> work;
@@ -131,9 +136,10 @@ struct Attempt {
   std::int64_t torn = 0;         // number of torn bonds
   double targetBefore = 0;       // volume of the goal's structure before, m^3
   std::optional<double> margin;  // margin of the goal's structure, m; none if nothing was cut
-  // margins: points of cut or bared faces that are nearer to the goal's structure than 2.5 times
-  // TaskGoal::margin. targetMiddle: mean of the structure's cell centres. targetReach: largest
-  // distance of a cell centre from targetMiddle. Positions and distances are in rest space, m.
+  // margins: points of faces that were cut, or bared by removing tissue, and that are nearer to the
+  // goal's structure than 2.5 times TaskGoal::margin. targetMiddle: mean of the structure's cell
+  // centres. targetReach: largest distance of a cell centre from targetMiddle. Positions and
+  // distances are in rest space, m.
   std::vector<MarginPlace> margins;
   Vec3 targetMiddle = Vec3::Zero();
   double targetReach = 0;

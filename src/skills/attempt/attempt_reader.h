@@ -20,7 +20,7 @@ class AttemptReader {
   AttemptReader(Attempt& attempt, const Scenario& scenario, const Simulation& simulation);
 
   // To be called after each step. Cost: a few microseconds. Once per simulated second, the cost of
-  // a ledger is added.
+  // a ledger is added, an account of all tissue (operation/ledger/ledger.h).
   void add(const Simulation& simulation, const StepReport& report);
   // Updates the amounts of tissue, which add() updates only once per simulated second, and the
   // amounts that each vessel has bled.
@@ -28,11 +28,12 @@ class AttemptReader {
   // Finds the places where the cuts came near the goal's structure (Attempt::margins). Cost: up to
   // a second.
   void measureMargins(const Simulation& simulation);
-  // To be called when the work is over: forgets all but the first `frames` frames. After them no
-  // instrument was in hand. simulation: its present state.
+  // To be called when the work is over: forgets all but the first `frames` frames. In the forgotten
+  // frames no instrument was in hand. simulation: its present state.
   void endAt(std::size_t frames, const Simulation& simulation);
-  // To be called when work is taken back: forgets all but the first `frames` frames. But the number
-  // of torn bonds and the time of occluded inflow still include the work that was taken back.
+  // To be called when work is taken back: forgets all but the first `frames` frames. The number of
+  // torn bonds and the time of occluded inflow are not changed: they still include the work that
+  // was taken back.
   void rewind(std::size_t frames);
 
   // Null without a task.

@@ -9,7 +9,7 @@
 
 namespace resect {
 
-// A point of the tissue, with the surface's normal there.
+// A point of the tissue, with a normal of the surface.
 struct TissuePoint {
   Vec3 rest = Vec3::Zero();  // rest position, m
   // Outward normal at rest, at the surface point that is nearest to this point; unit.

@@ -1,4 +1,4 @@
-// Makes an attempt from a recording, by playing it.
+// Makes an attempt from a recording, by playing it: its frames are computed again.
 #pragma once
 
 #include <filesystem>
@@ -19,9 +19,10 @@ struct AttemptOptions {
   std::function<void(const Scenario&, Simulation&, double time)> watch;
 };
 
-// Plays the course that leads to the moment of the recording (RecordingFile::moment()). Throws
-// Error if the file is no recording or is damaged, if it holds no frames, or if its organs lack
-// what the task names. Takes as long as the computation of the recorded operation took.
+// Plays the frames that lead from the start of the operation to RecordingFile::moment(), usually
+// the end of the recording. Throws Error if the file is no recording or is damaged, if it holds no
+// frames, or if its organs lack what the task names. Takes as long as the computation of the
+// recorded operation took.
 Attempt readAttempt(const std::filesystem::path& path, const AttemptOptions& options = {},
                     const Progress& progress = {});
 

@@ -1,4 +1,4 @@
-// The time during which nobody could see an instrument's tip.
+// The time during which an instrument's tip was outside the picture.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Follows the vessels of an operation: which vessels were cut, when each of these was closed, and
-// where clips were placed.
+// Follows the vessels of an operation: which vessels were cut, when each of the cut vessels was
+// closed, and where clips were placed.
 #pragma once
 
 #include <vector>

@@ -54,10 +54,11 @@ std::vector<ClassFile> classFiles(const std::filesystem::path& folder);
 // Replaces the learners' names by "learner 1" and so on, in the order of the names.
 void usePseudonyms(std::vector<ClassFile>& files);
 
-// How hard a check is. attempts: number of graded attempts at the task in which the check was made.
-// kept: number of these in which it was kept. Some measures add up during the work, such as time
-// (addsUp() in findings.h). If an attempt missed its goal, a kept check of such a measure is left
-// out of both numbers.
+// How hard a check is. A check compares a measure with a limit or band (score/verdict.h). attempts:
+// number of graded attempts at the task in which the check was made. kept: number of these attempts
+// in which the limit or band was kept. Some measures add up during the work, such as time (addsUp()
+// in findings.h). If an attempt missed its goal, a kept check of such a measure is left out of both
+// numbers.
 struct CheckDifficulty {
   std::string measure;  // "": the goal
   int kept = 0, attempts = 0;

@@ -8,7 +8,8 @@
 
 namespace resect {
 
-// The HTML page. Like a debrief (skills/report/debrief.h), it needs no other file.
+// The HTML page. It needs no other file. test: settings of the test whether a learner has become
+// competent.
 std::string classPage(const ClassBook& book, const LearningTest& test = {});
 
 // One row per attempt.

@@ -28,8 +28,8 @@ struct HistoryEntry {
   ClassAttempt attempt;
 };
 
-// A digest of everything on which a score depends: the bytes of the recording, `task` if it
-// replaces the task of the recording, the level, and kScoringVersion.
+// A digest of everything on which a score depends: the bytes of the recording, the level,
+// kScoringVersion and, if it is given, `task`, which replaces the task of the recording.
 std::string scoreKey(const std::filesystem::path& recording, const std::optional<Task>& task,
                      const std::optional<TaskLevel>& level);
 // When the file was last written, s since 1970.
@@ -47,7 +47,7 @@ class LearnerHistory {
   // The entries of one learner; if `learner` is empty, the entries of all learners. Sorted by
   // learner, scenario and HistoryEntry::written.
   std::vector<HistoryEntry> entries(const std::string& learner = "");
-  // Whether the learner has an attempt at the scenario here.
+  // Whether this history has an attempt of the learner at the scenario.
   bool hasTried(const std::string& learner, const std::string& scenario);
   // Deletes all entries of a learner, without traces in the file. Returns the number of these
   // entries.

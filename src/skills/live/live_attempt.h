@@ -2,7 +2,8 @@
 // goal are in the moving tissue.
 //
 // When work is taken back, a LiveAttempt forgets only a part of that work
-// (AttemptReader::rewind()). Such an attempt is scored from its recording (read_attempt.h).
+// (AttemptReader::rewind()). An attempt in which work was taken back is therefore scored from its
+// recording (read_attempt.h).
 #pragma once
 
 #include <memory>
@@ -41,16 +42,17 @@ class LiveAttempt : public std::enable_shared_from_this<LiveAttempt> {
   // lacks what the task names.
   LiveAttempt(const Scenario& scenario, const Simulation& simulation);
 
-  // Returns a watch for the operation. The watch calls `next` first, then informs this object. The
-  // watch keeps this object alive.
+  // Returns a watch, a set of callbacks, for the operation. Each callback calls that of `next`
+  // first, and then updates this object. The watch keeps this object alive.
   OperationWatch watch(OperationWatch next);
   // May be called from any thread. The result changes ten times per simulated second.
   AttemptProgress progress() const;
-  // The attempt up to a frame, to be scored at once, as readAttempt() would make it from the
-  // recording; but the blood that single vessels lost is that of the present. After this call the
-  // operation is not followed any more. frames: number of frames since the start; after them no
-  // instrument was in hand. simulation: of the operation, which does not step meanwhile. None if
-  // work was taken back. Cost: up to a second (AttemptReader::measureMargins()).
+  // The attempt up to a frame, as readAttempt() would make it from the recording, with one
+  // difference: VesselStory::bled has the present values. After this call the operation is not
+  // followed any more. frames: number of frames since the start that belong to the attempt. In
+  // later frames no instrument was in hand. simulation: of the operation; it must not step during
+  // the call. No result if work was taken back. Cost: up to a second
+  // (AttemptReader::measureMargins()).
   std::optional<Attempt> end(std::int64_t frames, const Simulation& simulation);
 
  private:
@@ -64,7 +66,7 @@ class LiveAttempt : public std::enable_shared_from_this<LiveAttempt> {
   std::size_t organ_ = 0;
   std::vector<std::int64_t> structure_;  // cells of the goal's structure
   std::int64_t every_;                  // number of frames from one update of progress_ to the next
-  std::vector<OperationEvent> events_;  // of sight, and of instruments that were put back
+  std::vector<OperationEvent> events_;  // tips in and out of the picture, instruments put back
   bool ended_ = false;                  // by end()
   std::int64_t branch_ = 0;             // number of the branch that is followed
   bool lost_ = false;                   // whether the operation went on in another branch

@@ -17,7 +17,7 @@ struct ForceFigures {
 // force: magnitudes of the force, N, at equal intervals. All figures are 0 if no value is above 0.
 ForceFigures forceFigures(std::span<const double> force);
 
-// Ranges of samples in which the force was above `limit`, N.
+// Ranges of successive values that are above `limit`, N. force: as for forceFigures().
 std::vector<SampleRange> forceErrors(std::span<const double> force, double limit);
 
 }  // namespace resect

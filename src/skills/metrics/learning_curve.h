@@ -8,7 +8,8 @@
 namespace resect {
 
 // Cumulative sum of the differences from a target: S_i = S_(i-1) + (x_i - target), where x_i is the
-// i-th value. The curve turns where a learner's values cross the target.
+// i-th value. The curve rises while the learner's values are above the target, and falls while they
+// are below it.
 std::vector<double> cusum(std::span<const double> values, double target);
 
 // LC-CUSUM, a test whether a trainee has become competent (Biau, Williams, Schlup, Nizard and

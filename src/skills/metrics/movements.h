@@ -1,5 +1,7 @@
-// Movements: ranges of a track in which the instrument moves. The rule is that of PerkTutor
-// (PythonMetrics): a change between rest and motion counts only if the new state lasts long enough.
+// Movements: ranges of an instrument's track in which the instrument moves. A track holds samples,
+// the positions at equal intervals of time (track.h). The rule is that of the training software
+// PerkTutor (PythonMetrics): a change between rest and motion counts only if the new state lasts
+// long enough.
 #pragma once
 
 #include <optional>
@@ -18,9 +20,9 @@ struct MovementRule {
 // of ours.
 inline constexpr double kRotationThreshold = 0.5;  // rad/s
 
-// The movements, as ranges of samples. The instrument moves while `speed` is above the threshold.
-// But if it moves or rests for no longer than leastTime, this change of state is ignored. The state
-// before the first sample is rest. interval: s between samples.
+// The movements, as ranges of samples. speed: one value per sample. The instrument moves while its
+// speed is above the threshold, else it rests. A change of state is ignored if the new state lasts
+// no longer than leastTime. The state before the first sample is rest. interval: s between samples.
 std::vector<SampleRange> movements(std::span<const double> speed, double interval,
                                    const MovementRule& rule = {});
 

@@ -1,4 +1,5 @@
-// Measures of an instrument's path. Definitions and sources: docs/methods/skills.md.
+// Measures of an instrument's path, which is given by samples: positions at equal intervals of time
+// (track.h). Definitions and sources: docs/methods/skills.md.
 #pragma once
 
 #include <span>

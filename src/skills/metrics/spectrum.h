@@ -8,7 +8,7 @@
 namespace resect {
 
 // Magnitudes of the discrete Fourier transform of the values, from frequency 0 to the highest
-// frequency: size / 2 + 1 numbers. Before the transform, the values are padded with zeros to `size`
+// frequency: size / 2 + 1 numbers. Before the transform, zeros are appended until there are `size`
 // values. size: a power of two. Computed by kissfft, which Eigen contains.
 std::vector<double> magnitudes(std::span<const double> values, std::size_t size);
 

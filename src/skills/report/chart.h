@@ -22,7 +22,7 @@ struct ChartMark {
 
 struct TimeChart {
   std::string title, unit;
-  double duration = 1;  // length of the horizontal axis, from 0
+  double duration = 1;  // the horizontal axis goes from 0 to this value
   std::vector<ChartCurve> curves;
   std::vector<ChartMark> marks;
   std::optional<double> limit;  // drawn as a dashed line

@@ -1,5 +1,5 @@
-// The debrief of an attempt as one self-contained HTML page, without script or network access. Its
-// layout suits a screen, a phone and paper; a browser can print it as PDF.
+// The debrief is the report about an attempt: one self-contained HTML page, without script or
+// network access. Its layout suits a screen, a phone and paper; a browser can print it as PDF.
 #pragma once
 
 #include <functional>
@@ -22,9 +22,10 @@ struct Debrief {
   // before those in `attempts`, the oldest first. others: attempts of all other learners.
   std::vector<ClassAttempt> earlier = {}, others = {};
   std::vector<PublishedStudy> studies = {};
-  // Per deduction of the last attempt: the bytes of a PNG file, or an empty string.
+  // Per fault of the last attempt (Verdict::deductions): the bytes of a PNG file, or an empty
+  // string.
   std::vector<std::string> pictures = {};
-  // Bytes of an MP4 file about the first deduction that has a time; may be empty.
+  // Bytes of an MP4 file about the first fault that has a time; may be empty.
   std::string clip = {};
 };
 

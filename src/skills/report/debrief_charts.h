@@ -9,7 +9,8 @@ namespace resect {
 
 std::string timelines(const Scored& scored);
 std::string pathViews(const Scored& scored);
-// A section about the margin round the goal's structure; "" if no margin was measured.
+// A section about the margin, the least distance from the goal's structure to a cut or bared face;
+// "" if no margin was measured.
 std::string marginSection(const Attempt& attempt);
 
 }  // namespace resect

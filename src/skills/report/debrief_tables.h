@@ -1,4 +1,4 @@
-// The tables of a debrief.
+// The tables of a debrief, the report about an attempt.
 #pragma once
 
 #include <string>

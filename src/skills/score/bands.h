@@ -1,6 +1,5 @@
 // Published bands: the results of experts and novices in a study. Each study is a data file that
-// names its source (data/bands/*.toml). No band is invented: if a measure has no published band, it
-// is shown without a band.
+// names its source (data/bands/*.toml). A measure without a published band is shown without a band.
 #pragma once
 
 #include <optional>
@@ -27,7 +26,7 @@ struct PublishedStudy {
   std::string name;    // name of the file, without .toml
   std::string study;   // "Lefor 2022"
   std::string source;  // DOI or address
-  std::string about;   // the task of the study, and how far it can be compared
+  std::string about;   // the study's task, and how far its results can be compared
   std::vector<PublishedBand> bands;
 };
 
@@ -36,9 +35,9 @@ struct PublishedStudy {
 PublishedStudy readPublishedStudy(const std::string& name);
 
 // bandsOf() computes a task's own bands from runs that a teacher marked as reference. A band is the
-// mean and the sample standard deviation. The measures are time, path length, movements, force and
-// blood. If a run lacks a measure, or if all runs have the same value of it, the measure gets no
-// band. With fewer than kLeastBandRuns runs there are no bands.
+// mean and the sample standard deviation of a measure. There can be bands for time, path length,
+// movements, force and blood. If a run lacks a measure, or if all runs have the same value of it,
+// the measure gets no band. With fewer than kLeastBandRuns runs there are no bands.
 inline constexpr std::size_t kLeastBandRuns = 3;
 std::vector<TaskBand> bandsOf(std::span<const std::vector<Measured>> runs);
 

@@ -1,6 +1,6 @@
-// The statements of a debrief about an attempt. A statement about a fault consists of a fact that
-// the recording shows, the time of this fact, an open question, and advice for the next attempt.
-// Other statements say what was good.
+// The statements of a debrief, the report about an attempt. A statement about a fault consists of a
+// fact that the recording shows, the time of this fact, an open question, and advice for the next
+// attempt. Other statements say what was good.
 #pragma once
 
 #include <vector>

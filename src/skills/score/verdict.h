@@ -35,7 +35,8 @@ struct Verdict {
   bool graded = true;
   std::string reason;  // one sentence
   // A number from 0 to 1: half of the share of the goal that was done, plus half of the share of
-  // checks that were kept. The second half is 0 unless the goal was reached and no rule was broken.
+  // checks that were kept. The second half counts only if the goal was reached and no rule on
+  // instruments or undo was broken; otherwise it is 0.
   double score = 0;
   GoalResult goal;
   std::vector<Check> checks;
