@@ -27,8 +27,8 @@
 
 namespace resect {
 
-// How many times the substep may be halved. If tissue still explodes after this
-// (tissue/tissue_model.h), it is stopped.
+// How many times the substep may be halved. Tissue explodes when its time integration becomes
+// unstable. If it still explodes with the shortest substep, it is stopped.
 inline constexpr int kMostHalvings = 6;
 // How many times the substep may be divided by 1.26 for stiff cells.
 inline constexpr int kMostFineness = 3;
@@ -63,7 +63,7 @@ struct TissueSettings {
 };
 
 struct TissueEnergy {
-  double kinetic = 0, elastic = 0, gravity = 0;  // J; `gravity` is 0 for tissue at rest
+  double kinetic = 0, elastic = 0, gravity = 0;  // J; `gravity`: relative to the rest position
   double total() const { return kinetic + elastic + gravity; }
 };
 

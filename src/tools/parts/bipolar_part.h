@@ -7,8 +7,10 @@
 
 namespace resect {
 
-inline constexpr double kBipolarCloses = 0.9;   // ToolStance::squeeze from which current flows
-inline constexpr double kBipolarTakes = 0.006;  // m: a bleeding end so near the tips is taken
+// Value of ToolStance::squeeze from which current flows.
+inline constexpr double kBipolarCloses = 0.9;
+// Greatest distance from the tips at which a bleeding vessel end is heated, m.
+inline constexpr double kBipolarTakes = 0.006;
 
 class BipolarPart : public WorkingPart {
  public:

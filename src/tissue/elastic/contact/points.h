@@ -1,8 +1,9 @@
 // The points at which elastic tissue touches obstacles.
 //
-// Points lie on the surface at rest. Each point stands for a patch of the surface. setSurface()
-// gives patches; parts of cell faces that edits have bared are patches too. If setSurface() was not
-// called, the patches are parts of all cell faces at which there is no neighbour.
+// Points lie on the surface at rest. Each point stands for a patch of the surface. The patches come
+// from setSurface(). Where edits have bared faces of cells, parts of these faces are patches too.
+// If setSurface() was not called, the patches are parts of all cell faces without a neighbouring
+// cell.
 //
 // A point belongs to a cell. The point follows the weighted mean of this cell and of the neighbours
 // that are bonded to this cell. The weights are those of quadratic splines; they spread a force
