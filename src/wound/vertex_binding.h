@@ -39,9 +39,11 @@ class VertexBinder {
 
   // Binds the vertex at p. anchors: the vertex's anchors, relative to the node `place` of the
   // window. Particles are searched for in three ways, one after the other, until a particle is
-  // found: 1. over whole edges, within the lattice cube that contains p; 2. over whole edges,
-  // within the window; 3. without regard to cuts, up to two cells away from p along each axis. If
-  // no particle is found, `count` of the result is 0. The window must be a brick with its halo
+  // found:
+  // 1. over whole edges, within the lattice cube that contains p;
+  // 2. over whole edges, within the window;
+  // 3. without regard to cuts, up to two cells away from p along each axis.
+  // If no particle is found, `count` of the result is 0. The window must be a brick with its halo
   // (BrickWindow).
   VertexBinding bind(const Vec3& p, const Vec3i& place, NearbyNodes anchors);
   // As bind(), but searches only in the first way. Any window that contains the cube may be used.

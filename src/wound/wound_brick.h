@@ -78,9 +78,9 @@ struct BrickWound {
   }
 };
 
-// Computes the wound of a brick. signs: which nodes of the brick are inside; they determine the iso
-// vertices, which get bindings too. out: on entry, the previous result for the brick, or an empty
-// object if there is none; on return, the new result.
+// Computes the wound of a brick. signs: which edges of the brick cross the surface. The iso
+// vertices on these edges get bindings too. out: on entry, the previous result for the brick, or an
+// empty object if there is none; on return, the new result.
 void makeBrickWound(const ColourField& field, const Wound& wound, const Vec3i& brick,
                     const BrickSigns& signs, float iso, BrickWound& out);
 

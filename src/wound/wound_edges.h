@@ -7,8 +7,8 @@
 // An edge may leave the tissue and also be severed inside the tissue. Then the edge gives three
 // points. The piece of the edge between the cut and the surface has no grid node of its own. It is
 // assigned to an inside node that can be reached from the edge's outside end over whole edges
-// outside the tissue. If there are several such nodes, the node nearest to that end is chosen.
-// Without this third point, lips would have notches of up to one cell. In three cases such an edge
+// outside the tissue. If there are several such nodes, the node nearest to that end is chosen. If
+// this piece were left out, lips would have notches of up to one cell. In three cases such an edge
 // gives only the point at the iso level:
 // - The piece is at most 0.04 of the edge long.
 // - No such inside node is found.
