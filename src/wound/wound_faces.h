@@ -39,7 +39,7 @@ struct FaceLine {
 };
 
 struct FaceLines {
-  static constexpr int kMost = 5;  // number of lines of a face
+  static constexpr int kMost = 5;  // greatest number of lines of a face
   std::array<FaceLine, kMost> line;
   int count = 0;  // number of entries of `line` in use
   FacePoint kind = FacePoint::None;

@@ -43,13 +43,13 @@ struct TissueSettings {
   double drag = 0;
   // Stiffness of the bonds against zero-energy modes, as a multiple of the shear modulus: alpha in
   // docs/methods/tissue.md. A zero-energy mode is a motion that does not change the cells'
-  // gradients. Above 0, up to 3. With 1.55 the second-order error of bending and torsion vanishes.
-  // With smaller values, tissue is too soft and its lattice wrinkles. With larger values, tissue is
-  // too stiff.
+  // gradients. Range: above 0, up to 3. With 1.55 the second-order error of bending and torsion
+  // vanishes. With smaller values, tissue is too soft and its lattice wrinkles. With larger values,
+  // tissue is too stiff.
   double penalty = 1.55;
   // Longest substep, as a fraction of the time in which a pressure wave passes from one cell to the
-  // next. Above 0, up to 1. Beyond 0.5, tissue that is sheared or stretched as a whole may become
-  // unstable (docs/methods/tissue.md).
+  // next. Range: above 0, up to 1. Beyond 0.5, tissue that is sheared or stretched as a whole may
+  // become unstable (docs/methods/tissue.md).
   double stepShare = 0.5;
   // Greatest number of threads for the two passes; 0: all threads that the program may use. If
   // there are fewer idle cores than threads, the passes are slower than with one thread.

@@ -3,9 +3,9 @@
 // Once per frame the points of the surface (contact/points.h) and the cells that can come near an
 // obstacle are listed. After every substep the depth of each listed point inside the obstacle is
 // computed. A point inside the obstacle is pressed out by a spring. The spring's force is spread to
-// the cells that the point follows. The spring stands for tissue that the lattice does not resolve:
-// the half cell between the outermost cell centres and the surface, and dents that are smaller than
-// a cell (docs/methods/tissue.md).
+// the cells with which the point moves. The spring stands for tissue that the lattice does not
+// resolve: the half cell between the outermost cell centres and the surface, and dents that are
+// smaller than a cell (docs/methods/tissue.md).
 //
 // Friction is computed cell by cell. A pressed cell loses the tangential part of its velocity
 // relative to the obstacle, up to Coulomb's limit. The displacement that the lost velocity caused

@@ -58,7 +58,7 @@ class ContactPoints {
   void addFaces(const ElasticState& state, std::int32_t cell, int across, bool lips,
                 std::vector<ContactPoint>& points) const;
 
-  std::vector<Owned> told_;  // ascending by cell
+  std::vector<Owned> told_;  // the patches of setSurface(), ascending by cell
   // Per cell of the box: index in told_ of the cell's first patch. If the cell has no patch:
   // kInside if the cell was solid before all edits, else kOutside. Empty if setSurface() was not
   // called.

@@ -69,7 +69,7 @@ class CutFronts {
   void push(const RestTissue& rest, ElasticState& state, double share, double dt, double lookAhead);
   // Appends the cuts made since list(), one for each edge that cut.
   void appendCuts(std::vector<TissueCut>& cuts) const;
-  // Restores the state after list(), so that the frame can be computed again.
+  // Restores the state that list() left, so that the frame can be computed again.
   void startAgain(const RestTissue& rest);
 
   // Per obstacle: momentum that the ties have given to the obstacle since list(), kg m/s.
