@@ -99,9 +99,9 @@ class TissueModel {
   // Writes the frame's result to `step`, whose memory is reused.
   virtual void endFrame(TissueStep& step) = 0;
   // Writes to `touch` how the tool presses and holds the tissue at the end of the last frame, in
-  // the order of the cells. Call after endFrame(). Between the two calls, the tissue may be changed
-  // by tears, but not in any other way. `touch` is overwritten; its memory is reused. Tissue that
-  // does not move leaves `touch` empty.
+  // the order of the cells. Call after endFrame(). Between endFrame() and touchOf(), the tissue may
+  // be changed by tears, but not in any other way. `touch` is overwritten; its memory is reused.
+  // Tissue that does not move leaves `touch` empty.
   virtual void touchOf(std::int32_t, TissueTouch& touch) const { touch.clear(); }
   // Applies an additional external force, N, to a cell, for the next substep only. mayPull() must
   // have been called for this cell before.
