@@ -50,7 +50,7 @@ struct ToolContacts {
   Aabb volumeOfInterest;
 };
 
-// What a working part is given: one tool at one organ in one frame.
+// Input of a working part, for one tool and one organ in one frame.
 struct Touch {
   const ToolModel& model;
   const ToolWay& way;

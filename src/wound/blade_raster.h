@@ -16,10 +16,11 @@
 namespace resect {
 
 // How many cuts there may be between two neighbouring lattice cells. A grid line that leads from
-// one cell towards the other has a stretch between the mid-planes of the two cells. With several
-// nodes per cell, this stretch consists of several grid edges. Any: all edges of a stretch may be
-// severed. One: at most one edge of a stretch may be severed. Moving tissue needs One, since tissue
-// between two cuts in one stretch would have no particle to follow.
+// one cell towards the other has a stretch between the mid-planes of the two cells (the planes
+// through their centres). With several nodes per cell, this stretch consists of several grid edges.
+// Any: all edges of a stretch may be severed. One: at most one edge of a stretch may be severed.
+// Moving tissue needs One, since tissue between two cuts in one stretch would have no particle to
+// follow.
 enum class CutsBetweenCells { Any, One };
 
 // Severs edges in all bricks of the field in which the blade can meet tissue. Returns the number of

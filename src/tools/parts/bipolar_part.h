@@ -9,7 +9,8 @@ namespace resect {
 
 // Value of ToolStance::squeeze from which current flows.
 inline constexpr double kBipolarCloses = 0.9;
-// Greatest distance from the tips at which a bleeding vessel end is heated, m.
+// If a vessel bleeds at a distance from the tips of at most this, m, its bleeding end is heated.
+// Otherwise the tissue at the tips is heated.
 inline constexpr double kBipolarTakes = 0.006;
 
 class BipolarPart : public WorkingPart {

@@ -1,4 +1,5 @@
-// Working part of a clip applier: when its jaws close, it puts a clip on the vessel between them.
+// Working part of a clip applier: when its jaws close, it puts a clip on a vessel between the jaws
+// or near them.
 #pragma once
 
 #include "tools/working_part.h"

@@ -30,8 +30,8 @@ inline constexpr int kSubstepsPerRelaxation = 4;
 
 // Components of velocity up to this size, m/s, are set to zero. At the front of a wave that enters
 // tissue at rest, velocities become smaller and smaller until they are denormal numbers. Denormal
-// numbers would make a pass ten times slower. Some machines replace them by zero, in different
-// ways; other machines do not.
+// numbers would make a pass ten times slower. Also, not all machines treat denormal numbers alike,
+// so the results would depend on the machine.
 inline constexpr float kAtRest = 1e-12f;
 
 // Poisson's ratio nu of the capsule, and 1 / (1 - nu^2).
