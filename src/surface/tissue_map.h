@@ -13,13 +13,14 @@ struct TissueMap {
   static constexpr float kDeepest = 2e-3f;  // m: blood of this thickness or more has the value 255
 
   // low: position of texel (0, 0, 0) in rest space, m. spacing: distance of neighbouring texels, m.
-  // Texels are stored with x fastest. In a map of blood, the first byte of a texel is the thickness
-  // of liquid blood, the second byte the thickness of clotted blood; both are weighted means over
-  // the skin at and beside the texel. In a map of heat, the first byte is the share of the tissue
-  // that is coagulated. The second byte says how far the tissue is burnt: 0.4 times the share of
-  // its water that is gone, plus 0.6 times the share that is charred. In a map of structures, the
-  // first byte is the share of the tissue that belongs to a tumour, the second byte the share that
-  // belongs to other structures. The byte 255 stands for 1.
+  // Texels are stored with x fastest. The two bytes of a texel are:
+  // - In a map of blood: the thickness of liquid blood, and the thickness of clotted blood. Each is
+  //   a weighted mean over the organ's surface at and beside the texel. 255 stands for kDeepest.
+  // - In a map of heat: the share of the tissue that is coagulated, and the degree of burning. This
+  //   degree is 0.4 times the share of the tissue's water that has boiled off, plus 0.6 times the
+  //   share of the tissue that is charred. 255 stands for 1.
+  // - In a map of structures: the share of the tissue that belongs to a tumour, and the share that
+  //   belongs to other structures. 255 stands for 1.
   Vec3f low = Vec3f::Zero();
   Vec3f spacing = Vec3f::Ones();
   Vec3i dims = Vec3i::Zero();

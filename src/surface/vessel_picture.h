@@ -1,5 +1,5 @@
-// The vessels inside an organ, for viewers: a grid of cubic bins over the tissue at rest. Each bin
-// lists the vessel segments that pass through it.
+// The vessels inside an organ, for viewers: a grid of cubic bins over the tissue at rest. Vessels
+// consist of straight segments. Each bin lists the segments that pass through it.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ struct VesselPicture {
   Vec3i dims = Vec3i::Zero();
   // Per bin, x fastest: the index in `entries` of its first entry, and the number of its entries.
   std::vector<std::array<float, 2>> bins;
-  // Each entry is a segment: x, y and z of its start, its radius, x, y and z of its end, and its
-  // VesselKind as a number. Lengths are in m, positions in rest space.
+  // Each entry describes a segment by eight numbers: x, y and z of its start, its radius, x, y and
+  // z of its end, and its VesselKind as a number. Lengths are in m, positions in rest space.
   std::vector<std::array<float, 8>> entries;
 };
 

@@ -1,13 +1,13 @@
 // Attachments: regions of an organ that are pinned or held by a ligament. A region is given by
-// geometry in rest space, so the same attachment can be used with cells of any size.
+// geometry in rest space, so it does not depend on the size of the tissue's cells.
 #pragma once
 
 #include "sph/region.h"
 
 namespace resect {
 
-// Holds the cells in its region. The region must be placed (Region::isPlaced()) before the
-// attachment is given to ElasticTissue::attach().
+// Holds the cells in its region. Region::isPlaced() must be true before the attachment is given to
+// ElasticTissue::attach().
 struct TissueAttachment : Region {
   enum class Kind {
     // A cell that lies wholly in the region does not move. A cell that lies partly in the region is

@@ -1,4 +1,5 @@
-// Breathing: the motion of the diaphragm, which carries what organs hang from and lie on.
+// Breathing: the motion of the diaphragm. It moves the ligaments from which organs hang, and the
+// surface on which organs lie.
 //
 // A breath leads from the end of an exhalation (phase 0) to the end of the next one (phase 1). The
 // diaphragm's displacement is depth * sin^4(pi * phase), towards the patient's feet (+Z). Most of a
@@ -14,8 +15,8 @@ namespace resect {
 struct Breathing {
   double depth = 0;       // displacement of the diaphragm at the end of inhalation, m; 0: still
   double perMinute = 12;  // breaths per minute
-  // Share of the diaphragm's motion that the table makes, 0 to 1. In the patient the place of the
-  // table is taken by the organs under the liver, which move less than the diaphragm.
+  // Motion of the table divided by the motion of the diaphragm, 0 to 1. The table stands for the
+  // organs under the liver, which move less than the diaphragm.
   double bed = 0.8;
   bool begins = true;  // whether the first breath begins at the start of the operation
 
@@ -28,7 +29,8 @@ struct Breathing {
 // Where in a breath the patient is.
 struct Breath {
   double phase = 0;  // 0 to below 1
-  // False: the breath is held. The breath that has begun is finished first, so nothing jerks.
+  // True: the patient breathes. False: the patient finishes the breath that has begun, and then
+  // does not move.
   bool on = true;
 
   template <class Visitor>
@@ -47,10 +49,10 @@ struct BreathMotion {
   Vec3 velocity(double share) const;      // m/s
 };
 
-// Displacement as a share of the depth, 0 to 1.
+// Displacement of the diaphragm divided by Breathing::depth, 0 to 1. phase: as in Breath.
 double breathWave(double phase);
 
-// Moves `breath` on by a frame, and returns the motion of this frame. duration: s, above 0.
+// Advances `breath` by a frame, and returns the motion in this frame. duration: s, above 0.
 BreathMotion breathe(const Breathing& breathing, Breath& breath, double duration);
 
 }  // namespace resect

@@ -1,4 +1,5 @@
-// Finds the bonds that a cut severs.
+// Finds the bonds that a cut severs. A bond connects two neighbouring cells of tissue; in rest
+// space it is the line segment between the centres of the two cells.
 #pragma once
 
 #include <vector>
@@ -9,9 +10,8 @@
 namespace resect {
 
 // The bonds that a cut crosses in rest space. Each bond is listed once; bonds are sorted by cell,
-// then by direction. A bond is the line segment between the centres of its two cells. blade: the
-// cut, in rest space, m. Cost: proportional to the number of cells near the cut, times the number
-// of triangles of `blade`.
+// then by direction. blade: the cut, in rest space, m. Cost: proportional to the number of cells
+// near the cut, times the number of triangles of `blade`.
 std::vector<TissueBond> crossedBonds(const TissueModel& tissue, const Lattice& lattice,
                                      const SweptBlade& blade);
 

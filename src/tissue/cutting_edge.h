@@ -16,20 +16,20 @@ struct CuttingEdge {
   Vec3 normal;                   // normal of the blade's plane, unit, in the same coordinates
   Pose from, to;                 // poses of the edge, world, at the frame's start and end
   double bluntness = 1;          // factor on the energy that a cut takes, 0 or more
-  // Whether the surface of the cut is built with the points in reverse order. Of two edges that
-  // close towards each other, one needs this, so that the normals of both cuts are on the same
-  // side.
+  // Whether the surface of the cut is built with the points in reverse order. Of the two edges of
+  // scissors, one needs this, so that the normals of both cuts are on the same side.
   bool reversed = false;
   // False if the edge begins no new cut, for example because its jaws are not closing. Such an edge
-  // may continue a cut in elastic tissue. It does not cut still tissue at all.
+  // may continue a cut in elastic tissue. It does not cut tissue that never moves
+  // (tissue/still_tissue.h).
   bool begins = true;
 };
 
 // Whether the edge's motion can cut. Two conditions must hold for the motion of the middle of the
-// edge. The component of this motion in the blade's plane must be larger than the component across
-// the plane. The angle between the component in the plane and the direction of the cut must be less
-// than 120 degrees. So an edge can cut while it slides along itself, but not while it moves
-// sideways or back out of a cut.
+// edge. First, the component of this motion in the blade's plane must be larger than the component
+// normal to the plane. Second, the angle between the component in the plane and the direction in
+// which the edge cuts must be less than 120 degrees. So an edge can cut while it slides along
+// itself, but not while it moves sideways or back out of a cut.
 bool movesToCut(const CuttingEdge& edge);
 
 // A cut that an edge made in one frame.

@@ -1,5 +1,5 @@
-// Moves tissues through a frame. Without joints each tissue has its own number of substeps; with
-// joints all tissues have the same number.
+// Moves tissues through a frame. Joints are springs between two organs. Without joints each tissue
+// has its own number of substeps; with joints all tissues have the same number.
 #pragma once
 
 #include <span>
@@ -20,8 +20,8 @@ struct MovingTissue {
 // Moves tissues through a frame of `duration` s, > 0. organs: entry i is the organ with number i;
 // needed only if there are joints. A tissue explodes if its time integration becomes unstable. It
 // is then restored to the frame's beginning, and the frame is repeated with substeps of half the
-// length. With joints all tissues are restored and repeat the frame. Before each substep, throws
-// Cancelled if a stop was requested (base/stop.h).
+// length. If there are joints, all tissues are restored and repeat the frame. Before each substep,
+// throws Cancelled if a stop was requested (base/stop.h).
 void moveTissues(std::span<const MovingTissue> tissues, std::span<const TissueJoint> joints,
                  std::span<const JoinedOrgan> organs, double duration);
 // As moveTissues(), for one tissue without joints.

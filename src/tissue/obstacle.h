@@ -1,5 +1,5 @@
 // Obstacles: rigid bodies that tissue cannot enter. These are instruments, the table, the walls of
-// the tool box, and the body round the operative field.
+// the tool box, and the patient's body round the operative field.
 #pragma once
 
 #include <limits>
@@ -25,8 +25,8 @@ struct Obstacle {
   double friction = 0.3;  // Coulomb's coefficient
   double slipForce = 0;   // force at which a tool releases all cells that it grips, N; 0: never
   std::span<const CuttingEdge> edges{};  // cutting edges of the instrument; empty: it does not cut
-  // Of a half space: where it ends along x and z, both ways from its origin, m. Then it is a block
-  // without a bottom.
+  // Half the width (along x) and half the depth (along z) of a half space, from its origin to its
+  // border, m. If both are finite, the obstacle is a block without a bottom.
   double halfWidth = kEndless, halfDepth = kEndless;
   static constexpr double kEndless = std::numeric_limits<double>::infinity();
 };

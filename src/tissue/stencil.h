@@ -1,11 +1,11 @@
 // The 26 neighbours of a cell, their numbering and their weights.
 //
 // Directions are numbered so that direction d and direction 25 - d are opposite. The last 13
-// directions are "forward". Each bond has a forward direction from exactly one of its two ends.
-// Weights come from the quartic kernel (sph/kernel.h) with h = 0.8 spacings. The radius of the
-// kernel is 2 spacings. The 26 neighbours are exactly the cells whose distance is smaller than
-// this. A weight depends only on whether the neighbour shares a face, an edge or a corner with the
-// cell.
+// directions are "forward". A bond connects two neighbouring cells. From exactly one of these
+// cells, the bond leads in a forward direction. Weights come from the quartic kernel (sph/kernel.h)
+// with h = 0.8 spacings. The radius of the kernel is 2 spacings. The 26 neighbours are exactly the
+// cells whose distance is smaller than this radius. A weight depends only on whether the neighbour
+// shares a face, an edge or a corner with the cell.
 #pragma once
 
 #include <array>

@@ -20,7 +20,8 @@
 
 namespace resect {
 
-// A bond, given by the cell at one of its ends and the direction from that cell.
+// A bond: the connection between two neighbouring cells. It is given by one of the cells, and the
+// direction from this cell to the other.
 struct TissueBond {
   std::int64_t cell = -1;
   std::int32_t direction = -1;  // numbered as in tissue/stencil.h
@@ -70,20 +71,22 @@ class TissueModel {
   // cell.
   virtual void setSurface(std::span<const SurfacePatch>) {}
 
-  // Replaces all cords. The model may make some cords less stiff, so that they are stable. It
-  // ignores cords whose cells hold no tissue. Cords are not part of the state: after a state was
-  // restored, they must be set again. A model may ignore all cords.
+  // Replaces all cords, the springs that stand for the walls of vessels. The model may make some
+  // cords less stiff, so that they are stable. It ignores cords whose cells hold no tissue. Cords
+  // are not part of the state: after a state was restored, they must be set again. A model may
+  // ignore all cords.
   virtual void setCords(std::span<const TissueCord>) {}
 
-  // Moves what the tissue is held by, such as its ligaments, in the next frame. Displacements are
-  // relative to the places of attachment at rest. Call before beginFrame(), in every frame in which
-  // the holds are moved or displaced. A model may ignore the call.
+  // Gives the motion of the tissue's attachments, such as its ligaments, in the next frame.
+  // Displacements are relative to the attachments' places at rest. Call before beginFrame(), in
+  // every frame in which the attachments move or are displaced. A model may ignore the call.
   virtual void moveHolds(const BreathMotion&) {}
 
   // A frame lasts `duration` s, > 0. It consists of one call of beginFrame(), one call of substep()
   // for each of several equal substeps, and one call of endFrame(). moveTissues()
-  // (tissue/move_tissues.h) chooses the number of substeps and makes these calls. With joints, all
-  // tissues take the same number of substeps. `obstacles` must stay valid until endFrame().
+  // (tissue/move_tissues.h) chooses the number of substeps and makes these calls. If organs are
+  // connected by joints, all tissues take the same number of substeps. `obstacles` must stay valid
+  // until endFrame().
   virtual void beginFrame(double duration, std::span<const Obstacle> obstacles) = 0;
   // Least number of substeps that the tissue needs in this frame; may be 0.
   virtual int substepsWanted() const = 0;
@@ -96,9 +99,9 @@ class TissueModel {
   // Writes the frame's result to `step`, whose memory is reused.
   virtual void endFrame(TissueStep& step) = 0;
   // Writes to `touch` how the tool presses and holds the tissue at the end of the last frame, in
-  // the order of the cells. Call after endFrame(). Between the two calls, the tissue may be changed
-  // by tears, but not in any other way. `touch` is overwritten; its memory is reused. Tissue that
-  // does not move leaves `touch` empty.
+  // the order of the cells. Call after endFrame(). Between endFrame() and touchOf(), the tissue may
+  // be changed by tears, but not in any other way. `touch` is overwritten; its memory is reused.
+  // Tissue that does not move leaves `touch` empty.
   virtual void touchOf(std::int32_t, TissueTouch& touch) const { touch.clear(); }
   // Applies an additional external force, N, to a cell, for the next substep only. mayPull() must
   // have been called for this cell before.

@@ -1,6 +1,6 @@
-// How an instrument presses and holds tissue at the end of a frame, point by point. A step computes
-// only the mean force of a contact; these details are computed on request
-// (TissueModel::touchOf()), and no result of a step depends on them.
+// How an instrument presses and holds tissue at the end of a frame, point by point. A simulation
+// step computes only the mean force of a contact. The details here are computed on request
+// (TissueModel::touchOf()); no result of a step depends on them.
 #pragma once
 
 #include <cstdint>
@@ -22,11 +22,12 @@ struct PressedPoint {
   const TissueMaterial* material;  // of the tissue under the patch; valid until the next step
 };
 
-// A cell that the instrument grips.
+// A cell that the instrument grips. A spring leads from the cell to an anchor that moves with the
+// tool.
 struct HeldPoint {
-  Vec3 place;                      // the spring's anchor, which moves with the tool; world, m
+  Vec3 place;                      // the anchor; world, m
   Vec3 force;                      // force on the instrument, N
-  double stiffness, damping;       // of the spring from the cell to the anchor, N/m, N s/m
+  double stiffness, damping;       // of the spring, N/m, N s/m
   const TissueMaterial* material;  // of the cell; valid until the next step
 };
 

@@ -1,4 +1,4 @@
-// Colour and gloss of an instrument's surface, as Inventor's Material node gives them.
+// Colour and gloss of an instrument's surface, as the Material node of Open Inventor gives them.
 #pragma once
 
 #include "base/vec.h"

@@ -22,7 +22,7 @@ struct ToolKind {
   std::vector<std::string_view> parts;
   bool stopsBleeding = false;  // useful only if an organ can bleed
 };
-// All kinds of instrument, in the order in which they are shown to people.
+// All kinds of instrument, in the order in which users see them.
 std::span<const ToolKind> toolKinds();
 
 // Makes a tool. If model.response is "remove", the tool's only working part is a Remover. Otherwise

@@ -1,6 +1,7 @@
-// Interface of working parts. The working parts that come with Resect are in tools/parts/. A
-// working part finds the tissue that it acts on, and queues edits; or it has edges that cut. A
-// working part changes no tissue itself, and need not know whether the tissue moves.
+// Interface of working parts. A working part is the part of an instrument that acts on tissue. It
+// finds tissue and requests edits of this tissue, or it has edges that cut. It does not change
+// tissue itself, and need not know whether the tissue moves. The working parts that come with
+// Resect are in tools/parts/.
 #pragma once
 
 #include <cstdint>
@@ -36,20 +37,20 @@ struct ToolWay {
   }
 };
 
-// What the body of one tool touches of one organ in one frame.
+// The contact between one tool and one organ in one frame.
 struct ToolContacts {
   std::int32_t tool = -1, organ = -1;  // numbers of tool and organ in the simulation
   std::vector<std::int64_t> cells;     // particles inside the volume that the tool swept, ascending
-  // Volume that organ and tool share at the end of the frame, m^3. It is not measured, and is 0, if
-  // the tissue can move or if `cells` is empty.
+  // Volume that organ and tool share at the end of the frame, m^3. It is measured only for tissue
+  // that cannot move, and only if `cells` is not empty. Otherwise it is 0.
   double overlapVolume = 0;
-  // A box in world coordinates, m. For still tissue: the common part of the organ's box and the box
-  // round the tool's motion; empty if they have no common part. For tissue that can move: the box
-  // round the particles near the tool; empty if no particle is near.
+  // A box in world coordinates, m. For tissue that cannot move: the common part of the organ's box
+  // and the box round the tool's motion; empty if they have no common part. For tissue that can
+  // move: the box round the particles near the tool; empty if no particle is near.
   Aabb volumeOfInterest;
 };
 
-// What a working part is given: one tool at one organ in one frame.
+// Input of a working part, for one tool and one organ in one frame.
 struct Touch {
   const ToolModel& model;
   const ToolWay& way;

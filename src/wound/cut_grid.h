@@ -1,12 +1,12 @@
 // Field values and severed edges in a window, for the code that meshes wounds. A window is a box of
-// nodes of the colour field's grid: a brick with a halo of two nodes, any other box, or in tests
-// the whole grid.
+// nodes of the colour field's grid. It is a brick (a block of 4 x 4 x 4 nodes) with a halo of two
+// nodes, or any other box; in tests it is the whole grid.
 //
 // A CutGrid points to arrays that another object holds. Nodes outside the window count as outside
 // the tissue, and edges to them count as whole. Nodes are given by their index in the window.
-// "Cell" here means a cell of the grid; its lowest node identifies it. An edge is identified by its
-// lowest node and its axis. A face is identified by its lowest node and the axis of its normal.
-// Lengths are in node spacings. Positions are relative to the window's first node.
+// "Cell" here means a cell of the grid; its lowest node identifies it. The lower node and the axis
+// identify an edge. The lowest node and the axis of the normal identify a face. Lengths are in node
+// spacings. Positions are relative to the window's first node.
 #pragma once
 
 #include <array>

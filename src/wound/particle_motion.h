@@ -1,6 +1,6 @@
-// The affine motion of the tissue round a particle. A point with rest position X is displaced by
-// shift + gradient * X. Here `gradient` is F - I, and F is the deformation gradient. A vertex that
-// follows several particles has the weighted mean of their motions.
+// The affine motion of the tissue round a particle (a cell of tissue). A point with rest position X
+// is displaced by shift + gradient * X. Here `gradient` is F - I, and F is the deformation
+// gradient. A vertex that follows several particles has the weighted mean of their motions.
 #pragma once
 
 #include "base/vec.h"

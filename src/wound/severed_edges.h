@@ -1,10 +1,11 @@
-// The severed grid edges of an organ, and the traces of blades on the grid's faces.
+// The severed grid edges of an organ, and the traces of blades: the lines in which blades crossed
+// the grid's faces.
 //
 // The grid is the grid of the colour field's nodes. All lengths are in node spacings. A severed
 // edge keeps the position and the normal of its first cut, and never becomes whole again. An uncut
-// organ stores nothing. The first cut allocates a few bytes for every brick of the grid. In
-// addition, each brick that a blade went through gets a record. After the first cut, severing an
-// edge costs O(1).
+// organ stores nothing. The first cut allocates a few bytes for every brick (block of 4 x 4 x 4
+// nodes) of the grid. In addition, each brick that a blade went through gets a record. After the
+// first cut, severing an edge costs O(1).
 #pragma once
 
 #include <array>
@@ -36,7 +37,8 @@ struct TouchedBrick {
 
 class SeveredEdges {
  public:
-  // brickDims, refine: as in the colour field.
+  // brickDims: number of bricks along each axis. refine: number of nodes per lattice cell along
+  // each axis.
   SeveredEdges(const Vec3i& brickDims, int refine) : brickDims_(brickDims), refine_(refine) {}
 
   bool empty() const { return records_.empty(); }
@@ -54,10 +56,10 @@ class SeveredEdges {
   // nothing is severed. at(): the cut's position as a fraction of the edge's length, 0 to 1; kWhole
   // for an edge that is not severed.
   float at(const Vec3i& node, int axis) const;
-  // Whether a cut lies between two cells on the grid line through the given edge. Between the
-  // mid-planes of two neighbouring cells, a grid line has a stretch of `refine` edges. Returns true
-  // if any edge of the stretch that contains the given edge is severed. The node's coordinate along
-  // the axis must not be negative.
+  // Whether a cut lies between two lattice cells on the grid line through the given edge. Between
+  // the mid-planes of two neighbouring cells (the planes through their centres), a grid line has a
+  // stretch of `refine` edges. Returns true if any edge of the stretch that contains the given edge
+  // is severed. The node's coordinate along the axis must not be negative.
   bool betweenCells(const Vec3i& node, int axis) const;
   // Normal of the cut in a severed edge; unit, and not negative along `axis`.
   Vec3f normal(const Vec3i& node, int axis) const;
@@ -83,14 +85,15 @@ class SeveredEdges {
     const Record* r = recordOfBrick(brick);
     return r ? r->share[std::size_t(axis)].data() : nullptr;
   }
-  // True if a blade severed an edge or left a trace in a lattice cube that contains a grid cell of
-  // the brick. May also be true for other bricks round the blade. Where near() is false, the
+  // A lattice cube has the centres of 2 x 2 x 2 neighbouring lattice cells as corners. near() is
+  // true if a blade severed an edge or left a trace in a lattice cube that contains a grid cell of
+  // the brick. It may also be true for other bricks round the blade. Where near() is false, the
   // surface is the same as that of an uncut organ.
   bool near(std::int64_t brick) const { return !near_.empty() && near_[std::size_t(brick)] != 0; }
 
-  // The bricks whose surface depends on edges that were severed, or on traces that were recorded,
-  // since the last update(). Each brick is listed once, in ascending order. Bricks for which near()
-  // is false are left out. The span is valid until the next call.
+  // The bricks whose surface has to be computed again, since an edge was severed or a trace was
+  // recorded in or near the brick after the last update(). Each brick is listed once, in ascending
+  // order. Bricks for which near() is false are left out. The span is valid until the next call.
   std::span<const TouchedBrick> update();
   // The bricks that the next update() will examine, in any order.
   std::span<const std::int64_t> pending() const { return pending_; }

@@ -2,12 +2,12 @@
 //
 // A lattice cube has the centres of eight neighbouring cells as its corners. A vertex near a wound
 // follows particles at the corners of the lattice cube that contains the vertex. (Vertices far from
-// wounds: organ/skin/bind_vertex.h.) Beside a cut, it must follow only the particles on its own
-// side of the cut. The anchors of a vertex are grid nodes in the same piece of tissue as the
-// vertex. To find the particles, a search starts at the anchors. Within the lattice cube, it
-// follows grid edges through tissue that are whole, that is, not severed. If the search reaches no
-// particle, it is widened. A vertex at the front of a cut has anchors on both sides of the cut, so
-// it follows particles on both sides.
+// wounds: organ/skin/bind_vertex.h.) Beside a cut, the vertex must follow only the particles on its
+// own side of the cut. The anchors of a vertex are grid nodes in the same piece of tissue as the
+// vertex. To find the particles, a search starts at the anchors. The search stays in the lattice
+// cube, and goes along grid edges that lie in tissue and are whole (not severed). If the search
+// reaches no particle, it is extended beyond the cube. A vertex at the front of a cut has anchors
+// on both sides of the cut, so it follows particles on both sides.
 #pragma once
 
 #include <span>
@@ -43,7 +43,8 @@ class VertexBinder {
   // 1. over whole edges, within the lattice cube that contains p;
   // 2. over whole edges, within the window;
   // 3. without regard to cuts, up to two cells away from p along each axis.
-  // If no particle is found, `count` of the result is 0. The window must be the window of a brick.
+  // If no particle is found, `count` of the result is 0. The window must be a brick with its halo
+  // (BrickWindow).
   VertexBinding bind(const Vec3& p, const Vec3i& place, NearbyNodes anchors);
   // As bind(), but searches only in the first way. Any window that contains the cube may be used.
   VertexBinding bindWithin(const Vec3& p, const Vec3i& place, NearbyNodes anchors);

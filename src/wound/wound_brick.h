@@ -1,12 +1,13 @@
-// Vertices and triangles of wounds in one brick of the colour field.
+// Vertices and triangles of wounds in one brick (block of 4 x 4 x 4 nodes) of the colour field.
 //
-// A brick's vertices are its iso vertices (isosurface/brick_mesher.h), followed by the vertices
-// that cuts add. The added vertices are two vertices for each cut edge, then the vertices of faces,
-// then the vertices of cells. Edges and faces are ordered by axis, then by node. Cells are ordered
-// by node. So neighbouring bricks find the numbers of these vertices by counting bits in masks.
-// Where a lip meets the organ's surface, a vertex has a twin at the same position. The twin has the
-// lip's normal and cut share (isosurface/brick_look.h), so that the rim of the wound looks sharp.
-// Cost: 2 us per cut cell, and about 10 us per brick.
+// A brick's vertices begin with its iso vertices, which lie where edges cross the iso level
+// (isosurface/brick_mesher.h). The vertices that cuts add come next: two vertices for each cut
+// edge, then the vertices of faces, then the vertices of cells. Edges and faces are ordered by
+// axis, then by node. Cells are ordered by node. So neighbouring bricks find the numbers of these
+// vertices by counting bits in masks. Where a lip meets the organ's surface, a vertex has a twin at
+// the same position. For shading, the twin has the lip's normal and cut share
+// (isosurface/brick_look.h), so that the rim of the wound looks sharp. Cost: 2 us per cut cell, and
+// about 10 us per brick.
 #pragma once
 
 #include <bit>
@@ -54,8 +55,8 @@ struct BrickWound {
   std::vector<VertexBinding> bindings;
   std::vector<std::array<std::int8_t, 3>> anchors;
   int unbalanced = 0;  // number of cells whose volume could not be kept
-  // Whether the result depends on more than the brick's own cells and the lattice cubes that
-  // contain them.
+  // Whether the result depends on data outside the brick's own cells and outside the lattice cubes
+  // that contain these cells.
   bool looksFar = false;
   // Whether the last call of makeBrickWound() changed vertex numbers that neighbouring bricks use.
   bool renumbered = false;
@@ -77,9 +78,9 @@ struct BrickWound {
   }
 };
 
-// Computes the wound of a brick. signs: the signs of this brick; the brick's iso vertices get
-// bindings too. out: on entry, the previous result for the brick, or an empty object if there is
-// none; on return, the new result.
+// Computes the wound of a brick. signs: which edges of the brick cross the surface. The iso
+// vertices on these edges get bindings too. out: on entry, the previous result for the brick, or an
+// empty object if there is none; on return, the new result.
 void makeBrickWound(const ColourField& field, const Wound& wound, const Vec3i& brick,
                     const BrickSigns& signs, float iso, BrickWound& out);
 

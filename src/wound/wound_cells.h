@@ -2,12 +2,12 @@
 //
 // The surface meets the six faces of the cell in lines (wound/wound_faces.h). These lines always
 // form closed loops. Each loop is capped with triangles. A loop that no cut touches bounds only the
-// organ's surface ("skin"). It gets the triangles of the marching cubes table. Any other loop is
-// capped by fans of triangles. The part of the loop that is skin gets a fan round an apex on the
-// skin. The rest of the loop gets a fan round an inner apex; in simple cells, one of the loop's own
-// vertices is the apex instead. All loops of the cell have the same inner apex, so the two lips of
-// a cut coincide. The apex on the skin is placed so that the tissue in the cell has the same volume
-// as with the triangles of the table. Cost: 1 to 2 us per cell.
+// organ's surface ("skin"). Such a loop gets the triangles of the marching cubes table. Any other
+// loop is capped by fans of triangles. The part of the loop that is skin gets a fan round an apex
+// on the skin. The rest of the loop gets a fan round an inner apex; in simple cells, one of the
+// loop's own vertices is the apex instead. All loops of the cell have the same inner apex, so the
+// two lips of a cut coincide. The apex on the skin is placed so that the tissue in the cell has the
+// same volume as it would have with the triangles of the table. Cost: 1 to 2 us per cell.
 #pragma once
 
 #include <span>

@@ -2,14 +2,14 @@
 // organ's surface.
 //
 // A severed edge inside tissue gives two points at the same position, one for each side of the cut.
-// An edge that leaves the tissue gives one point, where it crosses the iso level.
+// An edge that leaves the tissue gives one point, where the field has the iso level.
 //
 // An edge may leave the tissue and also be severed inside the tissue. Then the edge gives three
 // points. The piece of the edge between the cut and the surface has no grid node of its own. It is
 // assigned to an inside node that can be reached from the edge's outside end over whole edges
-// outside the tissue. If there are several such nodes, the node nearest to that end is chosen.
-// Without this piece, lips would have notches of up to one cell. In three cases such an edge gives
-// only the point at the iso level:
+// outside the tissue. If there are several such nodes, the node nearest to that end is chosen. If
+// this piece were left out, lips would have notches of up to one cell. In three cases such an edge
+// gives only the point at the iso level:
 // - The piece is at most 0.04 of the edge long.
 // - No such inside node is found.
 // - A face beside the edge is ambiguous: its corners are alternately inside and outside.

@@ -1,7 +1,7 @@
 // The lines in which the surface of a cut organ meets a face of the grid.
 //
-// The lines depend on the face alone, so the two cells beside it have the same lines. This is why
-// the surface is closed.
+// The lines depend on the face alone, so the two cells beside the face have the same lines. This is
+// why the surface is closed.
 //
 // The face's border is followed in the order of its corners. Stretches in tissue ("runs") alternate
 // with gaps. A gap is a cut in an edge, which has no width, or a stretch outside the tissue. As a
@@ -10,7 +10,7 @@
 // through a face that is cut (skinHolds()). Then a line leads across each gap outside the tissue,
 // from the end of the run before the gap to the start of the run after the gap. For the other
 // lines, these two runs then count as one run. The end of each run belongs to exactly one line, and
-// the start of each run too.
+// so does the start of each run.
 //
 // In three cases lines bend at one point of the face: where three or four cuts meet, where a cut
 // ends in the face, and where a cut meets the skin. Each of these lines has its own vertex at this
@@ -35,11 +35,11 @@ struct FaceLine {
   // face's axis points, tissue lies to the left of the line.
   std::uint8_t end = 0, start = 0;
   bool bent = false;      // whether the line has a vertex at the face's point
-  NearbyNodes anchors{};  // of this vertex (wound/vertex_binding.h), relative to the face's node
+  NearbyNodes anchors{};  // of the line's vertex (wound/vertex_binding.h), from the face's node
 };
 
 struct FaceLines {
-  static constexpr int kMost = 5;  // number of lines of a face
+  static constexpr int kMost = 5;  // greatest number of lines of a face
   std::array<FaceLine, kMost> line;
   int count = 0;  // number of entries of `line` in use
   FacePoint kind = FacePoint::None;

@@ -1,8 +1,8 @@
 // The closed loops in which the surface of a cut organ meets the border of a cell of the grid.
 //
-// The lines on the cell's six faces (wound/wound_faces.h) lead from edge point to edge point. An
-// edge point that is the end of one line is always the start of another line, so the lines form
-// closed loops.
+// Edge points are the points of the surface on the cell's edges (wound/wound_edges.h). The lines on
+// the cell's six faces (wound/wound_faces.h) lead from edge point to edge point. An edge point that
+// is the end of one line is always the start of another line, so the lines form closed loops.
 #pragma once
 
 #include <vector>
@@ -48,7 +48,7 @@ struct CellLoops {
 
   std::vector<Vertex> loop;           // all loops that a cut changed, concatenated
   std::vector<std::size_t> loopEnds;  // per loop: index in `loop` after its last corner
-  // A skin loop is a loop that the cell would have without cuts.
+  // A skin loop is a loop that the cell would have without cuts, on the organ's surface.
   std::array<int, 12> skinOf;   // per cell edge: its skin loop; -1: no iso point
   int skins;                    // upper bound of the numbers in skinOf, some of which may be unused
   std::array<bool, 4> touched;  // per skin loop: whether a cut changed it

@@ -1,10 +1,11 @@
 // Arrays aligned to cache lines. Arrays of 64 KiB or more ("large") begin at different offsets
 // within a page, to avoid cache conflicts.
 //
-// The passes over tissue use some fifty arrays. Large blocks from the system all begin at the same
-// offset in a page. If all arrays began at this offset, the entries of one cell would map to the
-// same few sets of the first-level cache. These entries would evict each other, and access to
-// memory would limit the speed of substeps (docs/methods/tissue.md).
+// The computation of elastic tissue reads some fifty arrays, each with an entry for every cell.
+// Large blocks from the system all begin at the same offset in a page. If all arrays began at this
+// offset, the entries of one cell would map to the same few sets of the first-level cache. These
+// entries would evict each other, and access to memory would limit the speed of substeps
+// (docs/methods/tissue.md).
 #pragma once
 
 #include <atomic>
@@ -20,7 +21,7 @@ inline constexpr std::size_t kCacheLine = 64, kPage = 4096;
 // The offset within a page of the next large array, bytes.
 inline std::size_t nextShift() {
   static std::atomic<std::size_t> next = 0;
-  constexpr std::size_t kStep = 5 * kCacheLine;  // reaches every line of a page before repeating
+  constexpr std::size_t kStep = 5 * kCacheLine;  // gives every cache line of a page in turn
   return next.fetch_add(kStep, std::memory_order_relaxed) % kPage;
 }
 

@@ -1,10 +1,10 @@
-// The organ's capsule: a thin membrane on its skin, much stiffer than the tissue under it.
+// The organ's capsule: a thin membrane on its surface (the skin), much stiffer than the tissue
+// below.
 //
-// The cells that carry the skin have the membrane's energy in addition to their own. This energy
-// depends on the principal stretches lambda_1 and lambda_2 in the plane of the skin. These
-// stretches follow from the cell's deformation gradient. Let d_i = lambda_i - 1 and d_1 >= d_2. A
-// membrane with Young's modulus E, thickness t and Poisson's ratio 0.5 has the tensions (force per
-// width at rest)
+// The cells at the skin have the membrane's energy in addition to their own. This energy depends on
+// the principal stretches lambda_1 and lambda_2 in the plane of the skin. These stretches follow
+// from the cell's deformation gradient. Let d_i = lambda_i - 1 and d_1 >= d_2. A membrane with
+// Young's modulus E, thickness t and Poisson's ratio 0.5 has the tensions (force per width at rest)
 //
 //     T_1 = max(0, E t d_1, E t (d_1 + d_2 / 2) 4/3)      T_2 = max(0, E t (d_2 + d_1 / 2) 4/3)
 //
@@ -21,10 +21,11 @@
 
 namespace resect {
 
-// Sets the normal and the area of each cell's skin from the cell's patches. Each patch contributes
-// the tensor area * n n^T, where n is its normal. So where tissue is thin, both of its faces count,
-// although their normals are opposite. patches: ascending by cell. A cell that has all 26 bonds
-// gets no skin. Does nothing if no material has a capsule.
+// Sets the normal and the area of each cell's skin from the cell's patches, which are small pieces
+// of the skin. Each patch contributes the tensor area * n n^T, where n is its normal. So where
+// tissue is thin, both of its faces count, although their normals are opposite. patches: ascending
+// by cell. A cell that is bonded to all its 26 neighbours gets no skin. Does nothing if no material
+// has a capsule.
 void setSkin(ElasticState& state, std::span<const SurfacePatch> patches);
 
 // Updates ElasticState::capsule of the cells from their material, their bonds, and

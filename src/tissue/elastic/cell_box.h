@@ -1,5 +1,6 @@
-// Memory layout of tissue cells: a dense box of cells with a halo. The 26 neighbours of a cell have
-// fixed index offsets from the cell. Rows can be read sixteen cells at a time.
+// Memory layout of the cells of an organ's lattice: a dense box of cells with a halo, a border of
+// empty cells. The 26 neighbours of a cell have fixed index offsets from the cell. Rows can be read
+// sixteen cells at a time.
 //
 // x is fastest. Each row (along x) ends with at least one empty cell. Each plane (along x and y)
 // ends with an empty row. The box has an empty plane at each end. So if a neighbour of a cell lies

@@ -1,5 +1,6 @@
-// Bounds of the present positions and of the speeds of a chunk's cells. With these bounds, a search
-// can reject all sixteen cells of a chunk at once.
+// Bounds of the present positions and of the speeds of a chunk's cells. A chunk is a group of
+// sixteen cells in a row of the lattice. With these bounds, a search can reject all sixteen cells
+// of a chunk at once.
 #pragma once
 
 #include "geometry/aabb.h"

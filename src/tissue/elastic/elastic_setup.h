@@ -1,9 +1,10 @@
 // Sets up the state of elastic tissue, and updates this state after bonds were severed or cells
 // were removed.
 //
-// Edits change bonds. Afterwards, refreshCells() updates the moment matrices of the cells whose
-// bonds changed. It also updates the chunks that contain these cells or their neighbours. No other
-// cells are computed again. refreshCells() takes some microseconds per hundred cells.
+// Edits sever bonds, the connections between neighbouring cells. Afterwards, refreshCells() updates
+// the moment matrices of the cells whose bonds changed. It also updates the chunks (groups of
+// sixteen cells) that contain these cells or their neighbours. No other cells are computed again.
+// refreshCells() takes some microseconds per hundred cells.
 #pragma once
 
 #include <span>

@@ -4,9 +4,10 @@
 // Maxwell branches, 4 * (7 + 8 n) bytes are added. With a capsule, 20 bytes are added, or 48 if
 // there are no branches. Lengths are in m, masses in kg; but offsets to neighbours are in spacings.
 // The symbols A_i, q_i and M_i are those of docs/methods/tissue.md. L_i is the inverse of M_i. S_i
-// is the sum over j of w_ij X_ij. The symbol w without indices is the weight of an edge neighbour
-// (bondWeights()). The passes form sums in which weights are in units of w and offsets in spacings.
-// The arrays contain the missing factors w and 1 / spacing.
+// is the sum over the bonded neighbours j of w_ij X_ij, where X_ij is the offset at rest. The
+// symbol w without indices is the weight of an edge neighbour, which shares an edge with the cell
+// (bondWeights()). beta is TissueSettings::damping. The passes form sums in which weights are in
+// units of w and offsets in spacings. The arrays contain the missing factors w and 1 / spacing.
 #pragma once
 
 #include <array>
@@ -34,7 +35,7 @@ struct TissueChunk {
   bool uneven = false;
   // Whether all cells of the chunk are bonded to all their solid neighbours.
   bool whole = true;
-  // Whether any cell of the chunk carries the capsule.
+  // Whether any cell of the chunk has a capsule.
   bool skin = false;
   // For each half of the chunk: whether all its cells are solid and have all 26 bonds.
   bool full[2] = {false, false};
@@ -46,7 +47,7 @@ struct ElasticState {
   double spacing = 0;  // m
   double penalty = 0;  // alpha, see TissueSettings::penalty
   std::vector<TissueMaterial> materials;
-  std::array<FloatArray, 3> u, ahead, v;    // u: m; ahead: u + beta dt v, m; v: m/s
+  std::array<FloatArray, 3> u, ahead, v;    // u: displacement, m; ahead: u + beta dt v, m; v: m/s
   std::array<FloatArray, 9> stress;         // A w / spacing, row by row, N
   std::array<FloatArray, 3> bondForce;      // q, N
   std::array<FloatArray, 6> inverseMoment;  // L w / spacing: xx yy zz xy xz yz, 1/m
@@ -60,8 +61,8 @@ struct ElasticState {
   // relaxed[k]: the symmetric matrix B of Maxwell branch k, as xx yy zz xy xz yz. The stress of the
   // branch is mu share (F (I + B) - cof F). viscous: sum over the branches of modulus times V times
   // B, J. In this sum, B is a mean over the substeps until the branches are advanced again.
-  // `relaxed` is empty unless a material has Maxwell branches. `viscous` is empty unless a material
-  // has Maxwell branches or a capsule.
+  // `relaxed` is empty if no material has Maxwell branches. `viscous` is empty if no material has
+  // Maxwell branches or a capsule.
   std::array<std::array<FloatArray, 6>, kMostBranches> relaxed;
   std::array<FloatArray, 6> viscous;
   FloatArray inverseMass;  // 1/kg; 0 where there is no tissue

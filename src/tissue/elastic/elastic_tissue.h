@@ -27,8 +27,8 @@
 
 namespace resect {
 
-// How many times the substep may be halved. If tissue still explodes after this
-// (tissue/tissue_model.h), it is stopped.
+// How many times the substep may be halved. Tissue explodes when its time integration becomes
+// unstable. If it still explodes with the shortest substep, it is stopped.
 inline constexpr int kMostHalvings = 6;
 // How many times the substep may be divided by 1.26 for stiff cells.
 inline constexpr int kMostFineness = 3;
@@ -43,13 +43,13 @@ struct TissueSettings {
   double drag = 0;
   // Stiffness of the bonds against zero-energy modes, as a multiple of the shear modulus: alpha in
   // docs/methods/tissue.md. A zero-energy mode is a motion that does not change the cells'
-  // gradients. Above 0, up to 3. With 1.55 the second-order error of bending and torsion vanishes.
-  // With smaller values, tissue is too soft and its lattice wrinkles. With larger values, tissue is
-  // too stiff.
+  // gradients. Range: above 0, up to 3. With 1.55 the second-order error of bending and torsion
+  // vanishes. With smaller values, tissue is too soft and its lattice wrinkles. With larger values,
+  // tissue is too stiff.
   double penalty = 1.55;
   // Longest substep, as a fraction of the time in which a pressure wave passes from one cell to the
-  // next. Above 0, up to 1. Beyond 0.5, tissue that is sheared or stretched as a whole may become
-  // unstable (docs/methods/tissue.md).
+  // next. Range: above 0, up to 1. Beyond 0.5, tissue that is sheared or stretched as a whole may
+  // become unstable (docs/methods/tissue.md).
   double stepShare = 0.5;
   // Greatest number of threads for the two passes; 0: all threads that the program may use. If
   // there are fewer idle cores than threads, the passes are slower than with one thread.
@@ -63,7 +63,7 @@ struct TissueSettings {
 };
 
 struct TissueEnergy {
-  double kinetic = 0, elastic = 0, gravity = 0;  // J; `gravity` is 0 for tissue at rest
+  double kinetic = 0, elastic = 0, gravity = 0;  // J; `gravity`: relative to the rest position
   double total() const { return kinetic + elastic + gravity; }
 };
 

@@ -1,10 +1,10 @@
 // Fibres: springs along the bonds of tissue that is only one cell thick.
 //
-// In a sheet or a string of single cells, no cell has a deformation gradient. So without a fibre, a
-// bond between two of these cells would not resist stretching. A fibre is a spring along the bond,
-// about as stiff as the tissue. Let E be Young's modulus and s the spacing. The stiffness is E s /
-// 2 between face neighbours, and less between edge and corner neighbours. A fibre rotates with the
-// tissue and does not resist bending.
+// In a sheet or a string of single cells, cells have too few neighbours for a deformation gradient.
+// So without a fibre, a bond between two of these cells would not resist stretching. A fibre is a
+// spring along the bond, about as stiff as the tissue. Let E be Young's modulus and s the spacing.
+// The stiffness is E s / 2 between face neighbours, and less between edge and corner neighbours. A
+// fibre rotates with the tissue and does not resist bending.
 #pragma once
 
 #include <span>

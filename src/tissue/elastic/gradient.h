@@ -19,8 +19,8 @@ Mat3 inverseMomentAt(const ElasticState& state, std::int32_t cell);
 Mat3 gradientAt(const ElasticState& state, std::int32_t cell);
 
 // As gradientAt(), but in single precision and fast for many cells. at() computes the gradients of
-// all cells of a chunk together, and keeps them until it is called for another chunk. The state
-// must not change as long as this object is used.
+// all cells of a chunk (sixteen cells of a row) together, and keeps them until it is called for
+// another chunk. The state must not change as long as this object is used.
 class ChunkGradients {
  public:
   ChunkGradients(const ElasticState& state, const ElasticKernel& kernel);

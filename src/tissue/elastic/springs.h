@@ -1,8 +1,10 @@
 // Springs on single cells, for ligaments and for the grips of tools.
 //
-// Each spring is damped and leads from a cell to an anchor. The anchor is fixed in the world or in
-// a tool's coordinates. While a cell has springs, its load (ElasticState::load) is computed anew in
-// each substep from the forces of these springs and of the cell's joints.
+// Each spring is damped and leads from a cell to an anchor. For a grip, the anchor is fixed in the
+// tool's coordinates. For a ligament, it is fixed in the world, or moves with the patient's
+// breathing. While a cell has springs, its load (ElasticState::load) is computed anew in each
+// substep. The load is the sum of the forces of these springs and of the cell's joints, which are
+// springs to other organs.
 #pragma once
 
 #include <span>
@@ -43,10 +45,9 @@ class TissueSprings {
   std::span<const TissueSpring> all() const { return springs_; }
 
   // Adds the springs' forces to the loads of their cells, for one substep. held: motion of the
-  // anchors of ligaments. dt: duration of the
-  // substep, s. share: time at which the substep ends, as a fraction of the frame, 0 to 1. frame:
-  // duration of the frame, s. origin: rest position of the centre of cell (0, 0, 0), m. If a tool
-  // is not among the obstacles, its springs exert no force.
+  // anchors of ligaments. dt: duration of the substep, s. share: time at which the substep ends, as
+  // a fraction of the frame, 0 to 1. frame: duration of the frame, s. origin: rest position of the
+  // centre of cell (0, 0, 0), m. If a tool is not among the obstacles, its springs exert no force.
   void pull(ElasticState& state, const Vec3& origin, std::span<const Obstacle> obstacles,
             const BreathMotion& held, double share, double frame, double dt);
   // Per obstacle: the momentum that the springs have given to the obstacle since the last

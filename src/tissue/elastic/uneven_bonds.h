@@ -1,6 +1,6 @@
-// Correction of the forces in uneven bonds: bonds between two cells of different penalty stiffness
-// kappa. Either the materials of the two cells differ in kappa, or one of the cells has no
-// deformation gradient, and its kappa is 0.
+// Correction of the forces in uneven bonds. A bond connects two neighbouring cells. It is uneven if
+// the cells have different penalty stiffnesses kappa (docs/methods/tissue.md). This occurs between
+// two materials, and beside a cell without a deformation gradient, whose kappa is 0.
 //
 // The stress pass computes the force on a cell with the cell's own kappa for all of its bonds, so
 // that one sum is enough. The forces in the few uneven bonds are corrected afterwards.

@@ -1,5 +1,5 @@
-// Working part of an ultrasonic aspirator: it breaks up soft tissue at its tip and draws it off. It
-// leaves vessels with a diameter of at least 1 mm, since their walls are tough.
+// Working part of an ultrasonic aspirator: its tip breaks up soft tissue and sucks up the
+// fragments. Vessels with a diameter of at least 1 mm stay, since their walls are tough.
 #pragma once
 
 #include "tools/working_part.h"

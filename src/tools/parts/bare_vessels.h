@@ -6,9 +6,9 @@
 
 namespace resect {
 
-// Appends a DivideVessel edit for each bare vessel that a sweeping edge crosses at a point where no
-// tissue is left. sweep: the sweep of the edge in this frame, world, m. Cost: proportional to the
-// number of bare vessels.
+// Appends a DivideVessel edit for each bare vessel that a cutting edge crosses at a point where no
+// tissue is left. sweep: the surface over which the edge moves in this frame, world, m. Cost:
+// proportional to the number of bare vessels.
 void divideBareVessels(const Touch& touch, const SweptBlade& sweep, std::vector<TissueEdit>& edits);
 
 }  // namespace resect

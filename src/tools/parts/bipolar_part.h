@@ -7,8 +7,11 @@
 
 namespace resect {
 
-inline constexpr double kBipolarCloses = 0.9;   // ToolStance::squeeze from which current flows
-inline constexpr double kBipolarTakes = 0.006;  // m: a bleeding end so near the tips is taken
+// Value of ToolStance::squeeze from which current flows.
+inline constexpr double kBipolarCloses = 0.9;
+// If a vessel bleeds at a distance from the tips of at most this, m, its bleeding end is heated.
+// Otherwise the tissue at the tips is heated.
+inline constexpr double kBipolarTakes = 0.006;
 
 class BipolarPart : public WorkingPart {
  public:

@@ -1,4 +1,4 @@
-// Working part with a cutting edge. It parts tissue where the edge passes, and removes nothing.
+// Working part with a cutting edge. It cuts tissue where the edge passes, and removes none.
 #pragma once
 
 #include "tools/working_part.h"

@@ -1,7 +1,7 @@
-// Working part of a clamp for the inflow of the liver (Pringle 1908). When the clamp is closed near
-// the liver's hilum, it shuts the portal vein and the hepatic artery. These vessels stay shut until
-// the clamp is opened near the hilum, or closed there once more: a hand that lets go leaves the
-// clamp on.
+// Working part of a clamp for the vessels that bring blood to the liver (Pringle 1908). When the
+// clamp is closed near the hilum, where these vessels enter the liver, it shuts the portal vein and
+// the hepatic artery. Both vessels stay shut when the hand lets go. They open when the clamp is
+// opened near the hilum, or closed there once more.
 #pragma once
 
 #include "tools/working_part.h"

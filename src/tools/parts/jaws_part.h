@@ -1,6 +1,6 @@
 // Working part of scissors: two edges that cut the tissue between them while they close. The tool
-// may move in any way at the same time. Even if the jaws are closed, the tool pushes tissue with
-// the shape of wide open jaws.
+// may move in any way at the same time. In contact with tissue, the tool always has the shape of
+// wide open jaws, even if the jaws are closed.
 #pragma once
 
 #include "tools/working_part.h"

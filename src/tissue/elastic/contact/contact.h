@@ -3,19 +3,20 @@
 // Once per frame the points of the surface (contact/points.h) and the cells that can come near an
 // obstacle are listed. After every substep the depth of each listed point inside the obstacle is
 // computed. A point inside the obstacle is pressed out by a spring. The spring's force is spread to
-// the cells that the point follows. The spring stands for tissue that the lattice does not resolve:
-// the half cell between the outermost cell centres and the surface, and dents that are smaller than
-// a cell (docs/methods/tissue.md).
+// the cells with which the point moves. The spring stands for tissue that the lattice does not
+// resolve: the half cell between the outermost cell centres and the surface, and dents that are
+// smaller than a cell (docs/methods/tissue.md).
 //
 // Friction is computed cell by cell. A pressed cell loses the tangential part of its velocity
 // relative to the obstacle, up to Coulomb's limit. The displacement that the lost velocity caused
-// in the substep is undone. The force on the obstacle is the momentum that cells lose in a frame,
-// divided by the frame's duration.
+// in the substep is undone. The force on the obstacle is the momentum that cells give to the
+// obstacle in a frame, divided by the frame's duration.
 //
-// As a last resort, the centre of a cell is moved if it lies too deep inside an obstacle. No centre
-// may lie inside the table or the tool box, and none more than one spacing deep inside an
-// instrument. Blades, jaws and hooks must be able to enter tissue (Obstacle::enters). So they press
-// no points, but cell centres are kept a tenth of a spacing away from them.
+// If the centre of a cell nevertheless lies too deep inside an obstacle, the centre is moved out.
+// No centre may lie inside the table or the tool box. A centre may lie at most one spacing (side of
+// a cell) deep inside an instrument. Instruments with blades, jaws or hooks are different, since
+// they must be able to enter tissue (Obstacle::enters). They press no points, but cell centres are
+// kept a tenth of a spacing away from them.
 #pragma once
 
 #include <vector>

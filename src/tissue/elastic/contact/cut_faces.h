@@ -1,5 +1,6 @@
-// Keeps the two faces of a cut from passing through each other: the two ends of each cut bond are
-// pushed apart like inelastic balls.
+// Keeps the two faces of a cut from passing through each other. A cut severs bonds, each of which
+// connected two neighbouring cells. The two cells at the ends of each cut bond are pushed apart
+// like inelastic balls.
 #pragma once
 
 #include <vector>

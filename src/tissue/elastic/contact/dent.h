@@ -1,10 +1,11 @@
 // The depth of a patch of the tissue's surface inside an obstacle.
 //
-// A patch inside the obstacle is moved along the tissue's inward normal until it leaves the
-// obstacle. The vector of this motion is called the way out. The depth is the component of the way
-// out along the normal of the obstacle's surface. The distance to the nearest face of the obstacle
-// would be wrong: beside the edge of an instrument, the nearest face is the instrument's flank.
-// Tissue would be pushed sideways there, and the instrument would slip into the tissue.
+// Let P be the middle of the patch. If P is inside the obstacle, the line from P along the tissue's
+// inward normal leaves the obstacle at a point Q. The vector from P to Q is called the way out. The
+// depth is the component of the way out along the normal of the obstacle's surface at Q. The
+// distance to the nearest face of the obstacle would be wrong: beside the edge of an instrument,
+// the nearest face is the instrument's flank. Tissue would be pushed sideways there, and the
+// instrument would slip into the tissue.
 #pragma once
 
 #include "collision/signed_distance.h"
@@ -25,10 +26,10 @@ struct WayOut {
   double farthest;
   // Least cosine of the angle between the way out and the obstacle's normal. If the way out is
   // longer than `deepest` and the cosine is below this limit, the patch is not in contact with the
-  // obstacle either. Example: a horizontal plate, the obstacle, is pressed into the top of a block
-  // of tissue. Some patches on the upright sides of the block are then inside the plate. Their
-  // inward normals are horizontal, so their ways out are horizontal, too. The plate's normal is
-  // vertical, so the cosine is 0, and these patches are not in contact with the plate.
+  // obstacle. Example: a horizontal plate, the obstacle, is pressed into the top of a block of
+  // tissue. Some patches on the upright sides of the block are then inside the plate. Their inward
+  // normals are horizontal, so their ways out are horizontal, too. The plate's normal is vertical,
+  // so the cosine is 0, and these patches are not in contact with the plate.
   double leastSlope;
 };
 

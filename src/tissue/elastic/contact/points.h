@@ -1,8 +1,9 @@
 // The points at which elastic tissue touches obstacles.
 //
-// Points lie on the surface at rest. Each point stands for a patch of the surface. setSurface()
-// gives patches; parts of cell faces that edits have bared are patches too. If setSurface() was not
-// called, the patches are parts of all cell faces at which there is no neighbour.
+// Points lie on the surface at rest. Each point stands for a patch of the surface. The patches come
+// from setSurface(). Where edits have bared faces of cells, parts of these faces are patches too.
+// If setSurface() was not called, the patches are parts of all cell faces without a neighbouring
+// cell.
 //
 // A point belongs to a cell. The point follows the weighted mean of this cell and of the neighbours
 // that are bonded to this cell. The weights are those of quadratic splines; they spread a force
@@ -57,7 +58,7 @@ class ContactPoints {
   void addFaces(const ElasticState& state, std::int32_t cell, int across, bool lips,
                 std::vector<ContactPoint>& points) const;
 
-  std::vector<Owned> told_;  // ascending by cell
+  std::vector<Owned> told_;  // the patches of setSurface(), ascending by cell
   // Per cell of the box: index in told_ of the cell's first patch. If the cell has no patch:
   // kInside if the cell was solid before all edits, else kOutside. Empty if setSurface() was not
   // called.

@@ -1,12 +1,14 @@
-// Cutting by energy: the edge of an instrument cuts elastic tissue only as far as the edge has done
-// the work that the cut takes. docs/methods/cutting.md derives the method.
+// Cutting by energy: to cut an area of elastic tissue takes a given energy. So the edge of an
+// instrument cuts only as far as it has done the necessary work. docs/methods/cutting.md derives
+// the method.
 //
-// Samples are taken along the edge, at most half a spacing apart. A stiff spring, the tie, connects
-// a sample in tissue to a point of the tissue, the tied point. A tie can bear a force up to the cut
-// energy (J/m^2) times the length of edge that the sample stands for. If the force would be larger,
-// the tied point moves on through the tissue at rest. This motion is the cut: the surface that the
-// tied points sweep in a frame is passed on as a blade in rest space. Until the tied points move
-// on, the edge only indents the tissue. So the front of the cut lags behind the instrument.
+// The edge is represented by points on it, the samples, at most half a spacing (half a cell) apart.
+// A stiff spring, the tie, connects a sample in tissue to a point of the tissue, the tied point. A
+// tie can bear a force up to the cut energy (J/m^2) times the length of edge that the sample stands
+// for. If the force would be larger, the tied point moves on through the tissue. This motion is the
+// cut: the surface that the tied points sweep in rest space in a frame is the result
+// (appendCuts()). Until the tied points move on, the edge only indents the tissue. So the front of
+// the cut lags behind the instrument.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +24,7 @@ namespace resect {
 struct CutSample {
   bool known = false;         // whether tissue is near, so that `place` is known
   bool tied = false;          // whether the sample is tied to the tissue at `place`
-  bool cutting = false;       // whether it was sweeping through tissue when the last frame ended
+  bool cutting = false;       // whether the sample was cutting when the last frame ended
   Vec3 place = Vec3::Zero();  // position of the sample in the tissue, in rest space, m
   // Velocity of the instrument at the sample, smoothed over 0.03 s, m/s.
   Vec3 motion = Vec3::Zero();
@@ -67,7 +69,7 @@ class CutFronts {
   void push(const RestTissue& rest, ElasticState& state, double share, double dt, double lookAhead);
   // Appends the cuts made since list(), one for each edge that cut.
   void appendCuts(std::vector<TissueCut>& cuts) const;
-  // Restores the state after list(), so that the frame can be computed again.
+  // Restores the state that list() left, so that the frame can be computed again.
   void startAgain(const RestTissue& rest);
 
   // Per obstacle: momentum that the ties have given to the obstacle since list(), kg m/s.
@@ -93,7 +95,7 @@ class CutFronts {
     Vec3 start;                      // CutSample::place when the present sweep began, m
     bool swept = false;              // whether it has cut without a break since `start`
     bool inside = false;             // whether its piece of the edge was last found in tissue
-    bool spent = false;              // untied in this frame; is not tied again before the next
+    bool spent = false;              // untied in this frame; not tied again before the next frame
     Mat3 toRest = Mat3::Identity();  // inverse of the deformation gradient at the tie
     PointCells cells;
     // Values of CutSample::place for which `cells`, `ahead` and `length` were computed.

@@ -29,16 +29,16 @@ class RestTissue {
       : state_(state), lattice_(lattice), surface_(surface) {}
 
   // Finds the cells that stand for a point: the solid cells within the reach (kCutReach). The reach
-  // is a length and no number of cells, since a force on one small cell would crush that cell. If
-  // there are no such cells, or if all of them are almost a full reach away, the nearest solid cell
-  // stands for the point. Its centre must be at most two spacings away along each axis; otherwise
-  // no cell is found.
+  // is a fixed length and not a number of cells, since a force on one small cell would crush that
+  // cell. If there are no such cells, or if all of them are almost a full reach away, the nearest
+  // solid cell stands for the point. Its centre must be at most two spacings away along each axis;
+  // otherwise no cell is found.
   void findCells(const Vec3& point, PointCells& cells) const;
   Vec3 displacement(const Vec3& point, const PointCells& cells) const;  // m
   Vec3 velocity(const PointCells& cells) const;                         // m/s
   // The distance, m, between two estimates of the point's present position. One estimate uses the
-  // mean of all cells of the point, the other its nearest cell alone. For a point
-  // between the lips of an open cut, the result is half of the width of the gap.
+  // mean over all cells of the point, the other uses its nearest cell alone. For a point between
+  // the lips of an open cut, the result is half of the width of the gap.
   double apart(const Vec3& point, const PointCells& cells) const;
   // Whether the point lies in tissue: below the organ's surface, in a cell that was not removed.
   bool inside(const Vec3& point) const { return depth(point) > 0; }

@@ -3,9 +3,9 @@
 //
 // The method is total-Lagrangian SPH with corrected gradient and bond penalty (Ganzenmueller 2015),
 // in the energy form of docs/methods/tissue.md. The computation of a cell reads data of its
-// neighbours, but writes only data of this cell. Every lane does the same operations in the same
-// order, and code paths are chosen for kChunk cells at a time. So the results depend neither on the
-// instruction set nor on the number of threads.
+// neighbours, but writes only data of this cell. Every SIMD lane does the same operations in the
+// same order, and code paths are chosen for kChunk cells at a time. So the results depend neither
+// on the instruction set nor on the number of threads.
 #pragma once
 
 #include <cstddef>
@@ -16,9 +16,9 @@ namespace resect {
 
 // Limit of |cof F|^2, where cof F is the cofactor matrix of F; the value at rest is 3. Beyond the
 // limit, the response to volume change and the stress of the Maxwell branches are multiplied by the
-// factor limit / |cof F|^2. The stiffening b x is multiplied by the square of this factor. So one
-// length of the substep is stable for any deformation. Shorter substeps allow a higher limit
-// (ElasticTissue::chooseFineness()).
+// factor limit / |cof F|^2. The stiffening b x (tissue/material.h) is multiplied by the square of
+// this factor. So one length of the substep is stable for any deformation. Shorter substeps allow a
+// higher limit (ElasticTissue::chooseFineness()).
 inline constexpr float kCofactorLimit = 6;
 
 // Upper limit of b x in tissue/material.h, the relative growth of the shear modulus.
@@ -30,8 +30,8 @@ inline constexpr int kSubstepsPerRelaxation = 4;
 
 // Components of velocity up to this size, m/s, are set to zero. At the front of a wave that enters
 // tissue at rest, velocities become smaller and smaller until they are denormal numbers. Denormal
-// numbers would make a pass ten times slower. Some machines replace them by zero, in different
-// ways; other machines do not.
+// numbers would make a pass ten times slower. Also, not all machines treat denormal numbers alike,
+// so the results would depend on the machine.
 inline constexpr float kAtRest = 1e-12f;
 
 // Poisson's ratio nu of the capsule, and 1 / (1 - nu^2).
