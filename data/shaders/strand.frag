@@ -1,5 +1,6 @@
 // Bare vessels: thin wet walls through which their content shines, with remnants of tissue and smears
-// of blood on them; cut ends with their lumen; brown and shrivelled where heat has sealed them.
+// of blood on them; cut ends with their lumen; brown and shrivelled where heat has sealed them. And
+// what hangs on the organ.
 varying vec3 eyePosition;
 varying vec3 objectPosition;  // at rest
 varying vec3 objectNormal;
@@ -23,11 +24,59 @@ vec3 strandContent(float kind) {
   return vec3(0.060, 0.072, 0.014);
 }
 
+// What hangs on the organ (operation/adnexa/liver_adnexa.h): a gallbladder through whose wall bile
+// shines, and the stumps of the ligaments, pale folds with fat at the root and a dark cut edge.
+vec3 adnexa(vec3 n0, vec3 p, float wide) {
+  float kind = floor(cutShare + 0.02), share = clamp((cutShare - kind) / 0.9, 0.0, 1.0);
+  vec4 broad = noise(p * 70.0 + 5.0), middle = noise(p.zxy * 210.0), fine = noise(p.yzx * 800.0);
+  fine *= finer(800.0 * wide);
+  // Fine vessels: where a noise passes through zero.
+  float branches = 1.0 - smoothstep(0.02, 0.10, abs(noise(p * 150.0 + 0.6 * middle.yzw).x));
+  branches *= finer(150.0 * wide);
+  Tissue t;
+  t.lost = 0.05;
+  t.cut = 0.0;
+  t.wet = 0.75;
+  t.bumps = 0.020 * middle.yzw + 0.012 * fine.yzw;
+  t.waves = 0.045 * broad.yzw + 0.018 * middle.yzw;
+  float bend = 60.0;
+  if (kind < 16.5) {
+    vec3 bile = vec3(0.088, 0.112, 0.072) * (1.0 + 0.22 * broad.x + 0.10 * middle.x);
+    vec3 serosa = vec3(0.215, 0.175, 0.125);
+    t.albedo = mix(bile, serosa, 0.30 + 0.20 * smoothstep(-0.4, 0.6, middle.x + 0.5 * broad.x));
+    // Fat and red serosa towards the bed.
+    float bed = 1.0 - smoothstep(0.12, 0.55, share + 0.16 * broad.x + 0.10 * middle.x);
+    t.albedo = mix(t.albedo, vec3(0.33, 0.165, 0.060) * (1.0 + 0.25 * middle.x), 0.75 * bed);
+    t.albedo = mix(t.albedo, vec3(0.190, 0.040, 0.030), 0.55 * branches * (0.45 + 0.55 * bed));
+  } else if (kind < 17.5) {
+    bend = 300.0;
+    vec3 fold = vec3(0.330, 0.180, 0.135) * (1.0 + 0.15 * broad.x);
+    float fat = (1.0 - smoothstep(0.05, 0.60, share + 0.25 * middle.x)) * smoothstep(-0.2, 0.4, broad.x);
+    t.albedo = mix(fold, vec3(0.48, 0.27, 0.095), 0.8 * fat);
+    t.albedo = mix(t.albedo, vec3(0.210, 0.030, 0.022), 0.6 * branches);
+    float edge = smoothstep(0.72, 0.95, share + 0.10 * middle.x);
+    t.albedo = mix(t.albedo, vec3(0.090, 0.030, 0.020) * (1.0 + 0.4 * fine.x), 0.8 * edge);
+    t.bumps += 0.04 * middle.yzw;
+  } else {
+    bend = 300.0;
+    t.albedo = mix(vec3(0.40, 0.235, 0.150), vec3(0.46, 0.27, 0.10), smoothstep(-0.2, 0.5, broad.x));
+    t.albedo *= 1.0 + 0.20 * middle.x + 0.10 * fine.x;
+    t.albedo = mix(t.albedo, vec3(0.020, 0.022, 0.030), smoothstep(0.4, 0.7, share));  // the thread
+  }
+  Surroundings around = surroundings(eyePosition, pointToWorld(eyePosition));
+  around.open = max(around.open, 0.35);
+  return wetTissue(t, n0, bend, around, eyePosition);
+}
+
 void main() {
   vec3 n0 = normalize(objectNormal);
   if (dot(gl_NormalMatrix * n0, eyePosition) > 0.0) n0 = -n0;
   vec3 p = objectPosition;
   float wide = widest(p);
+  if (cutShare > 15.5) {
+    gl_FragColor = vec4(adnexa(n0, p, wide), 1.0);
+    return;
+  }
   float kind = floor((cutShare + 0.01) / 4.0), look = cutShare - 4.0 * kind;
   vec4 broad = noise(p.yzx * 130.0 + 3.0), smear = noise(p * 330.0), fine = noise(p.zxy * 1100.0);
   fine *= finer(1100.0 * wide);

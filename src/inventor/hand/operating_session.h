@@ -144,6 +144,7 @@ class OperatingSession {
   void followHand();
   void followLooseBlood();
   void followBareVessels();
+  void followAdnexa();
   void followSmoke();
   void followBlood();
   void showBleeding();
@@ -180,9 +181,10 @@ class OperatingSession {
   // For each tool: the boxes of its slices after its last motion; world, m. If the tool was held
   // with a manipulator, this is its bounding box instead.
   std::vector<std::vector<Aabb>> shownSlices_;
-  std::shared_ptr<const LooseBlood> loose_;  // blood that was drawn last
-  std::shared_ptr<const BareVessels> bare_;  // vessels that were drawn last
-  Aabb smokeBox_;                            // round the smoke that was drawn last
+  std::shared_ptr<const LooseBlood> loose_;    // blood that was drawn last
+  std::shared_ptr<const BareVessels> bare_;    // vessels that were drawn last
+  std::shared_ptr<const SurfaceCopy> adnexa_;  // what hung on the organ when it was drawn last
+  Aabb smokeBox_;                              // round the smoke that was drawn last
   Aabb markerBox_;          // box of the marker at the tip that was shown last; world, m
   std::int64_t asked_ = 0;  // number of the last request to the operation
   // goOn() was called, and the operation still shows an earlier or later moment.

@@ -42,13 +42,15 @@ void OperatingSession::followLooseBlood() {
   room().setLooseBlood(loose_.get());
 }
 
+// Whether nobody sees that points have moved.
+bool same(const auto& a, const auto& b) {
+  constexpr double kSeen = 0.2e-3;  // m
+  return std::ranges::equal(
+      a, b, [](const auto& p, const auto& q) { return (p - q).squaredNorm() < kSeen * kSeen; });
+}
+
 // Draws bare vessels and clips anew if they have changed visibly.
 void OperatingSession::followBareVessels() {
-  constexpr double kSeen = 0.2e-3;  // m
-  const auto same = [](const auto& a, const auto& b) {
-    return std::ranges::equal(
-        a, b, [](const auto& p, const auto& q) { return (p - q).squaredNorm() < kSeen * kSeen; });
-  };
   const BareVessels *now = state_.bare.get(), *before = bare_.get();
   if (!now && !before) return;
   if (now && before && same(now->walls.points, before->walls.points) &&
@@ -58,6 +60,22 @@ void OperatingSession::followBareVessels() {
     if (vessels && !vessels->box.empty()) damage_.boxes.push_back(vessels->box);
   bare_ = state_.bare;
   room().setBareVessels(bare_.get());
+}
+
+// Draws what hangs on the organ anew if it has moved visibly.
+void OperatingSession::followAdnexa() {
+  const SurfaceCopy *now = state_.adnexa.get(), *before = adnexa_.get();
+  if (now == before ||
+      (now && before && same(now->points, before->points) && now->triangles == before->triangles))
+    return;
+  for (const SurfaceCopy* shapes : {before, now})
+    if (shapes) {
+      Aabb box;
+      for (const Vec3f& p : shapes->points) box.grow(p.cast<double>());
+      damage_.boxes.push_back(box);
+    }
+  adnexa_ = state_.adnexa;
+  room().setAdnexa(adnexa_.get());
 }
 
 // Draws the smoke, and what was behind it. In thesis mode there is no smoke.
@@ -70,10 +88,11 @@ void OperatingSession::followSmoke() {
   room().setSmoke(std::move(balls));
 }
 
-// Shows what there is of blood, bare vessels and smoke besides the organs.
+// Shows what there is besides the organs: blood, bare vessels, what hangs on an organ, and smoke.
 void OperatingSession::followBlood() {
   followLooseBlood();
   followBareVessels();
+  followAdnexa();
   followSmoke();
 }
 

@@ -168,6 +168,13 @@ OperatingRoom::OperatingRoom() {
   notPickedEither->style = SoPickStyle::UNPICKABLE;
   root_->addChild(withMaterial(RoomMaterial::Strand, {notPickedEither, closed, bare_}));
   root_->addChild(withMaterial(RoomMaterial::Steel, {notPickedEither, clips_}));
+  adnexa_ = new SoOrganShape;
+  adnexaShown_ = new SoSwitch;
+  adnexaShown_->addChild(adnexa_);
+  auto* sheets = new SoShapeHints;  // they are seen from both sides
+  sheets->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;
+  sheets->shapeType = SoShapeHints::UNKNOWN_SHAPE_TYPE;
+  root_->addChild(withMaterial(RoomMaterial::Strand, {notPickedEither, sheets, adnexaShown_}));
   root_->addChild(pool_ = new SoBloodPool);
   root_->addChild(withMaterial(RoomMaterial::Cloth, {table_}));
   root_->addChild(field_ = uncachedSeparator());

@@ -7,6 +7,7 @@
 //     Separator { Separator { SoTransform, SoSwitch { blood, steel, tool } } ... }
 //     Separator { strand, bare vessels }
 //     Separator { steel, clips }
+//     Separator { strand, SoSwitch { adnexa } }
 //     BloodPool
 //     Separator { cloth, table }
 //     Separator { SoTransform, Separator { cloth, drape } Separator { fat, ... } ... }
@@ -48,6 +49,7 @@ namespace resect {
 
 class SoBloodPool;
 class SoOrganShape;
+struct SurfaceCopy;
 class SoShadowMaps;
 class SoSmoke;
 struct BareVessels;
@@ -134,6 +136,9 @@ class OperatingRoom {
   void setLooseBlood(const LooseBlood* blood);
   // Shows the bare vessels. If `vessels` is null, no bare vessels are shown.
   void setBareVessels(const BareVessels* vessels);
+  // Shows what hangs on the organ (operation/adnexa/adnexa.h), if there is a field. It casts no
+  // shadow. If `adnexa` is null, nothing is shown.
+  void setAdnexa(const SurfaceCopy* adnexa);
   // Shows smoke: the balls that smokeBalls() makes. It casts no shadow.
   void setSmoke(std::vector<SmokeBall> smoke);
   void setOrganColour(const Vec3f& colour);  // sets the colour of the first organ
@@ -216,6 +221,8 @@ class OperatingRoom {
   SoSwitch *fieldWall_, *fieldDome_;
   SoOrganShape* bare_;
   SoSeparator* clips_;
+  SoSwitch* adnexaShown_;
+  SoOrganShape* adnexa_;
   SoSmoke* smoke_;
   SoBloodPool* pool_;
   SoCoordinate3* drops_;

@@ -104,6 +104,7 @@ void OperationView::follow(const Simulation& simulation) {
   follow(updates);
   room_.setLooseBlood(looseBlood(simulation.blood()).get());
   room_.setBareVessels(bareVessels(simulation).get());
+  room_.setAdnexa(adnexa_.follow(simulation).get());
 }
 
 void OperationView::followSmoke(const StepReport& step) {

@@ -5,6 +5,7 @@
 
 #include "inventor/picture/offscreen_view.h"
 #include "inventor/scene/operating_room.h"
+#include "operation/adnexa/adnexa.h"
 #include "operation/live/surface_publisher.h"
 #include "operation/scenario.h"
 #include "operation/smoke/smoke_plume.h"
@@ -66,6 +67,7 @@ class OperationView {
   bool table_, toolBox_;  // whether the scenario has a table and a tool box
   // One publisher per organ of the simulation. These publishers publish every motion, even the
   // smallest.
+  Adnexa adnexa_;
   std::vector<SurfacePublisher> publishers_;
 };
 

@@ -1,4 +1,4 @@
-// Blood that is on no organ, bare vessels, clips and smoke, in the room.
+// Blood that is on no organ, bare vessels, clips, what hangs on an organ, and smoke, in the room.
 #include <Inventor/nodes/SoCoordinate3.h>
 #include <Inventor/nodes/SoSeparator.h>
 
@@ -43,6 +43,14 @@ void OperatingRoom::setBareVessels(const BareVessels* vessels) {
   part.finish = kTitanium;
   part.closed = true;
   clips_->addChild(makePart(part));
+}
+
+void OperatingRoom::setAdnexa(const SurfaceCopy* adnexa) {
+  if (!adnexa && adnexa_->triangleCount() == 0) return;
+  static const SurfaceCopy kNone;
+  const SurfaceCopy& shown = adnexa ? *adnexa : kNone;
+  adnexa_->update(
+      wholeSurface(shown.points, shown.normals, shown.cut, shown.triangles, shown.rest));
 }
 
 void OperatingRoom::setSmoke(std::vector<SmokeBall> smoke) { smoke_->set(std::move(smoke)); }

@@ -32,6 +32,7 @@ void OperatingRoom::setField(SoNode* model, const Aabb& organs) {
   for (SoGroup* part : {static_cast<SoGroup*>(field_), static_cast<SoGroup*>(fieldWall_),
                         static_cast<SoGroup*>(fieldDome_)})
     part->removeAllChildren();
+  adnexaShown_->whichChild = model ? SO_SWITCH_ALL : SO_SWITCH_NONE;
   if (!model) return;
   model->ref();
   const FieldPlace at = fieldPlace(organs);

@@ -20,6 +20,7 @@
 #include <thread>
 #include <vector>
 
+#include "operation/adnexa/adnexa.h"
 #include "operation/ledger/ledger_watch.h"
 #include "operation/live/hand_speed.h"
 #include "operation/live/live_state.h"
@@ -199,6 +200,7 @@ class LiveOperation {
   // a moment.
   std::atomic<bool> stop_ = false;
   std::vector<SurfacePublisher> publishers_;  // one per organ
+  Adnexa adnexa_;
   LiveState state_;
   std::thread thread_;
 };

@@ -55,14 +55,15 @@ struct LiveState {
   bool bleeds = false;  // whether any organ has vessels
   // bled: blood lost so far, m^3. bleedingRate: blood lost per time, mean over 1 s, m^3/s.
   double bled = 0, bleedingRate = 0;
-  double air = 0;                           // volume of air drawn into hepatic veins so far, m^3
-  double bloodTime = 0;                     // simulated time of bled and bleedingRate, s
-  std::vector<BleedingEnd> bleedingEnds;    // vessels' ends that bleed
-  std::vector<ClippedVessel> clips;         // vessels with clips, one entry per clip
-  bool inflowClamped = false;               // whether the inflow is clamped now
-  double clampedTime = 0;                   // total time for which it has been clamped, s
-  std::shared_ptr<const LooseBlood> loose;  // blood on no organ; null: none
-  std::shared_ptr<const BareVessels> bare;  // null: no bare vessels and no clips
+  double air = 0;                             // volume of air drawn into hepatic veins so far, m^3
+  double bloodTime = 0;                       // simulated time of bled and bleedingRate, s
+  std::vector<BleedingEnd> bleedingEnds;      // vessels' ends that bleed
+  std::vector<ClippedVessel> clips;           // vessels with clips, one entry per clip
+  bool inflowClamped = false;                 // whether the inflow is clamped now
+  double clampedTime = 0;                     // total time for which it has been clamped, s
+  std::shared_ptr<const LooseBlood> loose;    // blood on no organ; null: none
+  std::shared_ptr<const BareVessels> bare;    // null: no bare vessels and no clips
+  std::shared_ptr<const SurfaceCopy> adnexa;  // what hangs on the organ (Adnexa); null: nothing
   SmokePlume smoke;
   // The lists below have one element per tool.
   std::vector<Pose> poses;           // its present pose, world

@@ -160,6 +160,7 @@ void LiveOperation::operate(Task task) {
     for (std::size_t o = 0; o < publishers_.size(); ++o)
       publishers_[o].follow(presentSurface(*simulation_, o));
     noteStep(state_, *simulation_, report_, wholeVolume_, history_.peaks());
+    state_.adnexa = adnexa_.follow(*simulation_);
     if (task.byMotion)
       state_.played = std::move(task.input.tools);
     else
@@ -215,6 +216,7 @@ void LiveOperation::answer(Request request) {
   if (!refusal.empty()) state_.faults.push_back(refusal);
   if (moment && refusal.empty()) {
     noteMoment(state_, *simulation_, wholeVolume_, history_.peaks());
+    state_.adnexa = adnexa_.follow(*simulation_);
     input_.tools = state_.played = presentTools();
     const bool plays = motionComes_;
     showing_ = state_.showing = !plays;
@@ -248,6 +250,7 @@ void LiveOperation::playBack(std::int64_t towards) {
   for (std::size_t o = 0; played && o < publishers_.size(); ++o)
     publishers_[o].follow(presentSurface(*simulation_, o));
   if (played) noteStep(state_, *simulation_, report_, wholeVolume_, history_.peaks());
+  state_.adnexa = adnexa_.follow(*simulation_);
   state_.played = presentTools();
   if (showing_) input_.tools = state_.played;
   noteHistory();
@@ -260,6 +263,7 @@ void LiveOperation::publishMoment(Moment moment) {
   for (std::size_t o = 0; o < publishers_.size(); ++o)
     publishers_[o].follow(presentSurface(*simulation_, o));
   noteMoment(state_, *simulation_, wholeVolume_, history_.peaks());
+  state_.adnexa = adnexa_.follow(*simulation_);
   state_.played = presentTools();
   state_.showing = true;
   state_.moment = moment;

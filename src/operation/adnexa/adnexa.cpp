@@ -1,0 +1,107 @@
+#include "operation/adnexa/adnexa.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "geometry/normals.h"
+
+namespace resect {
+namespace {
+
+// How far round an anchor tissue carries it, m, and in spacings of the lattice; the larger counts.
+constexpr double kReach = 0.012, kReachInSpacings = 1.7;
+// An edge that has become longer than this was torn or cut.
+constexpr float kStretches = 2.2f, kAlways = 1e-3f;  // times at rest, plus m
+
+}  // namespace
+
+void Adnexa::begin(const OperatedOrgan& operated) {
+  const Organ& organ = operated.organ;
+  map_ = organ.map;
+  shapes_ = {};
+  last_ = nullptr;
+  const std::optional<Pose> place = map_ ? builtinLiverPose(map_->anatomy) : std::nullopt;
+  if (!place) return;
+  place_ = *place;
+  shapes_ = liverAdnexa();
+  rest_.clear(), normals_.clear(), holders_.clear();
+  for (const Vec3& p : shapes_.mesh.points) rest_.emplace_back(p.cast<float>());
+  for (const Vec3& n : pointNormals(shapes_.mesh)) normals_.emplace_back(n.cast<float>());
+  const Lattice& lattice = organ.rest.lattice;
+  const double reach = std::max(kReach, kReachInSpacings * lattice.spacing.maxCoeff());
+  for (const Vec3& anchor : shapes_.anchors) {
+    Holder& holder = holders_.emplace_back();
+    const Vec3 at = place_ * anchor;
+    double sum = 0;
+    for (std::int64_t i = 0; i < std::int64_t(organ.rest.inside.size()); ++i) {
+      if (!organ.rest.inside[std::size_t(i)]) continue;
+      const double share = (lattice.centre(lattice.cell(i)) - at).squaredNorm() / (reach * reach);
+      if (share >= 1) continue;
+      holder.particles.push_back(i);
+      holder.weights.push_back((1 - share) * (1 - share));
+      sum += holder.weights.back();
+    }
+    for (double& weight : holder.weights) weight /= sum;
+  }
+}
+
+std::vector<Adnexa::Motion> Adnexa::motionsIn(const OperatedOrgan& operated) const {
+  constexpr double kLeast = 0.25;  // share of the tissue that has to be left
+  const Lattice& lattice = operated.organ.rest.lattice;
+  std::vector<Motion> motions;
+  for (const Holder& holder : holders_) {
+    Motion& motion = motions.emplace_back();
+    double sum = 0;
+    for (std::size_t k = 0; k < holder.particles.size(); ++k) {
+      const std::int64_t i = holder.particles[k];
+      if (!operated.organ.alive[std::size_t(i)]) continue;
+      const Vec3 centre = lattice.centre(lattice.cell(i));
+      const Mat3 f = operated.tissue->deformation(i);
+      motion.map += holder.weights[k] * f;
+      motion.offset += holder.weights[k] * (centre + operated.tissue->displacement(i) - f * centre);
+      sum += holder.weights[k];
+    }
+    motion.held = sum >= kLeast;
+    if (motion.held) motion.map /= sum, motion.offset /= sum;
+  }
+  return motions;
+}
+
+std::shared_ptr<const SurfaceCopy> Adnexa::follow(const Simulation& simulation) {
+  if (simulation.organs().size() != 1) return nullptr;
+  const OperatedOrgan& operated = simulation.organs()[0];
+  if (!map_ || map_ != operated.organ.map) begin(operated);
+  if (shapes_.mesh.points.empty()) return nullptr;
+  std::vector<Motion> motions = motionsIn(operated);
+  if (last_ && motions == motions_) return last_;
+  motions_ = std::move(motions);
+
+  auto now = std::make_shared<SurfaceCopy>();
+  now->rest = rest_;
+  now->cut = shapes_.look;
+  for (std::size_t i = 0; i < rest_.size(); ++i) {
+    const Motion& motion = motions_[std::size_t(shapes_.anchor[i])];
+    const Mat3& m = motion.map;
+    now->points.emplace_back((m * (place_ * shapes_.mesh.points[i]) + motion.offset).cast<float>());
+    // Normals turn by the cofactors of the map, which are its inverse transpose times its volume.
+    Mat3 cofactors;
+    cofactors << m.col(1).cross(m.col(2)), m.col(2).cross(m.col(0)), m.col(0).cross(m.col(1));
+    const Vec3 normal = cofactors * (place_.rotation * normals_[i].cast<double>());
+    now->normals.emplace_back(normal.normalized().cast<float>());
+  }
+  for (const Triangle& t : shapes_.mesh.triangles) {
+    bool whole = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto a = std::size_t(t[k]), b = std::size_t(t[(k + 1) % 3]);
+      const float most = kStretches * (rest_[a] - rest_[b]).norm() + kAlways;
+      whole = whole && motions_[std::size_t(shapes_.anchor[a])].held &&
+              (now->points[a] - now->points[b]).norm() < most;
+    }
+    now->triangles.push_back(whole ? t : Triangle{0, 0, 0});
+  }
+  last_ = std::move(now);
+  return last_;
+}
+
+}  // namespace resect

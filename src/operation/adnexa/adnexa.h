@@ -1,0 +1,49 @@
+// Follows what hangs on an organ and is only drawn: structures that are moved by the organ's
+// tissue, and that neither tissue nor instruments meet.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "operation/adnexa/liver_adnexa.h"
+#include "simulation/simulation.h"
+#include "surface/surface_update.h"
+
+namespace resect {
+
+class Adnexa {
+ public:
+  // The present shapes, for viewers; null if there are none. Only the built-in liver has adnexa,
+  // and only if it is the only organ and has its vessels. `rest` is in the coordinates of the
+  // built-in liver, and `cut` is LiverAdnexa::look. A triangle is left out ({0, 0, 0}) where the
+  // tissue that holds it was removed, or where a cut has drawn its anchors apart. To be called with
+  // the same simulation each time, whose vessels may have been replaced. Cost: some 0.1 ms.
+  std::shared_ptr<const SurfaceCopy> follow(const Simulation& simulation);
+
+ private:
+  // The tissue that carries an anchor.
+  struct Holder {
+    std::vector<std::int64_t> particles;
+    std::vector<double> weights;  // their sum is 1
+  };
+  // The motion of the tissue round an anchor: the point X at rest is now at map * X + offset, m.
+  struct Motion {
+    Mat3 map = Mat3::Zero();
+    Vec3 offset = Vec3::Zero();
+    bool held = false;  // false: the tissue there has gone
+
+    bool operator==(const Motion&) const = default;
+  };
+  void begin(const OperatedOrgan& organ);
+  std::vector<Motion> motionsIn(const OperatedOrgan& organ) const;
+
+  std::shared_ptr<const VesselMap> map_;  // of the organ for which the rest was made
+  LiverAdnexa shapes_;                    // empty: this organ has none
+  Pose place_;                            // of the liver at rest in the world
+  std::vector<Vec3f> rest_, normals_;     // of the points, in the liver's coordinates
+  std::vector<Holder> holders_;           // per anchor
+  std::vector<Motion> motions_;           // per anchor, of last_
+  std::shared_ptr<const SurfaceCopy> last_;
+};
+
+}  // namespace resect
