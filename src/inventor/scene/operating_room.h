@@ -141,8 +141,8 @@ class OperatingRoom {
   void setOrganColour(const Vec3f& colour);  // sets the colour of the first organ
   void setOrganPose(const Pose& pose);       // sets the pose of all organs and tissues
 
-  // Shows another mesh beside the organs, such as vessels or the gallbladder. The mesh has the
-  // coordinate frame of the organs.
+  // Shows another mesh, such as vessels or the gallbladder, together with the organs. The mesh has
+  // the coordinate frame of the organs.
   void addTissue(const TriangleMesh& mesh, const Vec3f& colour);
 
   // Adds a callback in front of all nodes that handle events. So the callback gets each event
