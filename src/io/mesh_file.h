@@ -9,8 +9,8 @@ namespace resect {
 
 // Checks that writeMeshFile() can write to `path`. To be called before a long computation whose
 // result is written to `path`. The extension must be .obj, .stl, .ply, .vtk or .iv, in upper or
-// lower case. A device or pipe may also have no extension. Otherwise throws a usage Error. Then
-// calls findTarget() (io/output/output_target.h), which throws further Errors.
+// lower case. A device or pipe may also have no extension. Throws a usage Error for any other
+// extension. Also throws the Errors of findTarget() (io/output/output_target.h).
 void checkWritableMeshFile(const std::filesystem::path& path);
 
 // Writes the mesh, atomically (io/output/atomic_file.h) and in metres. The extension decides the

@@ -20,7 +20,7 @@ struct ModelPart {
   TriangleMesh mesh;
   // For pictures: one normal per point. It is a unit vector, or zero if the file has no normal for
   // this point. The list is empty if the file has no normals for the part. Only the reader of
-  // Inventor files fills it.
+  // Inventor files fills this list.
   std::vector<Vec3f> normals{};
   std::optional<Finish> finish{};  // finish of the part's first shape
 };

@@ -1,5 +1,5 @@
-// Reads meshes that Resect itself has written. It needs no readers for the formats of other
-// programs.
+// Reads meshes that Resect itself has written. Readers for the formats of other programs are not
+// needed.
 #pragma once
 
 #include <filesystem>
@@ -11,12 +11,12 @@
 namespace resect {
 
 // Reads a .ply file of the form that writeMeshFile() (io/mesh_file.h) writes: little endian,
-// doubles, triangles, metres. If `path` has another extension, reads instead the .ply file that
-// lies beside it and differs only in the extension. The model of each instrument that comes with
-// Resect is an .iv file with such a .ply file beside it. So these instruments can be simulated
-// without Inventor. The function is a ModelReader (io/operation_setup.h); it ignores `parts`. Cost:
-// one pass over the bytes. Throws Error if the .ply file does not exist, is truncated or has
-// another form.
+// doubles, triangles, metres. If `path` has another extension, reads the .ply file that has the
+// same name in the same folder. The model of each instrument that comes with Resect is an .iv file,
+// and a .ply file of the same name lies beside it. So these instruments can be simulated without
+// Inventor. The function is a ModelReader (io/operation_setup.h); it ignores `parts`. Cost: one
+// pass over the bytes. Throws Error if the .ply file does not exist, is truncated or has another
+// form.
 Model readPlainMesh(const std::filesystem::path& path, const std::string& parts = {});
 // Does the same with the bytes of a file. Errors use `name` as the file's name.
 Model parsePlainMesh(std::string_view bytes, const std::string& name);

@@ -37,7 +37,7 @@ void addLabels(Discretization& cells, const OrganSource& source, const std::opti
 // the same kind. If source.smallVessels is set and the model files give both the portal vein and
 // hepatic veins, vessels grow: smaller vessels from these veins into the rest of the organ, and an
 // artery and a bile duct beside the portal vein. surface: closed surface of the organ in the world.
-// It is empty for a file of particles; no vessels grow then. `notes` gets sentences for people.
+// For a file of particles it is empty, and no vessels grow. `notes` gets sentences for people.
 std::shared_ptr<const VesselMap> vesselsOf(const OrganSource& source,
                                            const std::optional<Pose>& place,
                                            const TriangleMesh& surface,

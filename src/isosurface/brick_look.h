@@ -1,13 +1,15 @@
 // Normals and cut shares of a brick's vertices. A brick is a block of 4 x 4 x 4 nodes of the colour
 // field.
 //
+// A cut share says whether a vertex lies on the organ's original surface or on a cut (cutShare()).
 // Only pictures need normals and cut shares; the simulation does not use them. A normal is the
 // negative gradient of the field, normalised. The gradient is found by a 3D Sobel operator: central
 // differences along one axis, averaged over the other two axes with weights 1 2 1. (Zucker and
 // Hummel 1981 compare this operator with others.) Plain central differences would show the lattice
-// as ribs in the highlights. The mean error of the normals on a ball at two nodes per cell is 2.5
-// degrees with plain central differences and 1.6 degrees with the Sobel operator. At one node per
-// cell the Sobel operator averages over a wider range, and the error is 1.3 degrees.
+// as ribs in the highlights. The mean error of the normals was measured on a ball. With two nodes
+// per cell of the organ along each axis, it is 2.5 degrees for plain central differences and 1.6
+// degrees for the Sobel operator. With one node per cell, the Sobel operator averages over a wider
+// range, and its error is 1.3 degrees.
 //
 // Cost: 1 500 operations per brick and 60 more per vertex.
 #pragma once

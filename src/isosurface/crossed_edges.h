@@ -27,7 +27,7 @@ struct BrickSigns {
   std::uint64_t inside = 0;                 // bit n: node n is inside
   std::array<std::uint64_t, 3> crossing{};  // per axis; bit n: edge with lower node n is crossed
   // For each axis, the number of the first vertex on an edge along this axis. The last element is
-  // the number of all vertices.
+  // vertexCount().
   std::array<std::uint8_t, 4> firstVertex{};
 
   // Sets the masks of the crossed edges along x, y and z. Returns whether a mask has changed.

@@ -10,8 +10,8 @@
 // cells that share a face have the same lines on it, and the surface is closed. The lines on all
 // faces of a cell form closed loops, and each loop is triangulated. A triangulation is excluded if
 // it has a diagonal in a face of the cell. From the remaining triangulations, the one with the
-// best-shaped triangles is chosen. Source: Lorensen and Cline 1987 (the method); Durst 1988 (its
-// ambiguous faces).
+// best-shaped triangles is chosen. Source: Lorensen and Cline 1987 (the method); Durst 1988
+// (ambiguous faces in the original table).
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// Triangle mesh of the zero surface of a function.
+// Triangle mesh of the zero surface of a function. The region where the function is negative is
+// called the body.
 //
 // The function is sampled at the points of a body-centred cubic lattice. The lattice divides space
 // into tetrahedra that are congruent and nearly regular. Each tetrahedron with corners on both

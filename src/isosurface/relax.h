@@ -1,4 +1,5 @@
-// Smoothing and refinement of a mesh that approximates the zero surface of a function.
+// Smoothing and refinement of a mesh that approximates the zero surface of a function. The region
+// where the function is negative is called the body.
 //
 // A mesh that is closed, oriented and manifold stays so. The results have the same bits at any
 // number of threads. `value` is the function. Several threads call it at once. evenOut() calls it

@@ -27,7 +27,7 @@ struct BenchReport {
     double seconds = 0;  // time of the stages updateField and updateSurface in these frames
   };
   double spacing = 0;  // cube root of a cell's volume in the first organ, m
-  // Counts before the operation. bytes: memory that the simulation then holds.
+  // Counts before the operation. bytes: memory that the simulation holds at that time.
   std::int64_t particles = 0, triangles = 0, bytes = 0;
   bool tissueMoves = false;
   // missed: number of frames whose computation took longer than frameDuration.
@@ -37,10 +37,10 @@ struct BenchReport {
   std::vector<Stage> stages;  // in the order in which a step runs them
   std::int64_t inHand = 0;    // number of frames with an instrument in hand
   Updates updates;
-  std::int64_t substeps = 0;         // time steps of moving tissue, sum over all organs
+  std::int64_t substeps = 0;         // time steps of the tissue's motion, sum over all organs
   double perParticleAndSubstep = 0;  // mean time in the stage moveTissue per particle and substep,
                                      // s; 0 for still tissue
-  std::string instructionSet;        // used by the kernels for moving tissue
+  std::string instructionSet;        // used by the kernels that compute the tissue's motion
   std::uint64_t stateHash = 0;       // at the end; equals RunSummary::stateHash
 
   double bytesPerParticle() const { return double(bytes) / double(particles); }

@@ -1,5 +1,5 @@
 // An OpenGL context for drawing into framebuffers. It works on machines without a display. The
-// window draws in such a context, too.
+// pictures in the program's window are drawn in such a context, too.
 //
 // The context is made by EGL and has no EGL surface. The context uses the first graphics card that
 // works. If no graphics card works, the context uses software rendering. No X server and no
@@ -15,8 +15,8 @@ class OffscreenContext {
  public:
   // Makes the context current. Throws an Error of one sentence if EGL or OpenGL is missing.
   OffscreenContext();
-  // Makes Coin free its OpenGL objects in this context. The caller must delete its own framebuffers
-  // before the context is destroyed.
+  // Makes Coin (the Open Inventor library) free its OpenGL objects in this context. The caller must
+  // delete its own framebuffers before the context is destroyed.
   ~OffscreenContext();
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;

@@ -17,9 +17,9 @@ struct PictureQuality {
 
 inline constexpr const char* kQualityNames = "draft, window or film";
 
-// draft: one sample per pixel. window: four samples, as in the window while nothing moves. film:
-// four samples and twice the size along each axis, so sixteen samples. Empty if there is no quality
-// of this name.
+// draft: one sample per pixel. window: four samples, as in the program's window while nothing moves
+// there. film: four samples and twice the size along each axis, so sixteen samples. Empty if there
+// is no quality of this name.
 inline std::optional<PictureQuality> pictureQuality(std::string_view name) {
   if (name == "draft") return PictureQuality{1, 1, 512};
   if (name == "window") return PictureQuality{};

@@ -1,9 +1,9 @@
 // Converts FaceSet and QuadMesh nodes to triangles.
 //
-// Resect has its own converters for these two kinds of node, since Coin reads out of bounds if an
-// index or a count in the node is wrong. The converters check all indices and counts. In this
-// folder there are also converters for IndexedFaceSet, TriangleStripSet and IndexedTriangleStripSet
-// nodes.
+// Resect has its own converters for these two kinds of node, since Coin (the Inventor library)
+// reads out of bounds if an index or a count in the node is wrong. The converters check all indices
+// and counts. In this folder there are also converters for IndexedFaceSet, TriangleStripSet and
+// IndexedTriangleStripSet nodes.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// Checks Inventor and VRML files: rejects texts that would crash Coin.
+// Checks Inventor and VRML files: rejects texts that would crash Coin, the library that reads them.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@ namespace resect {
 // Whether the bytes begin with "#Inventor V" or "#VRML V", as an Inventor or VRML file does.
 bool isInventorFile(std::string_view bytes);
 
-// The format that the first line of the file names, for example "Inventor V2.1 binary", "VRML V1.0
-// ascii" or "VRML V2.0 utf8". If the line does not begin with '#', the result is "Inventor".
+// The format according to the first line of the file, for example "Inventor V2.1 binary", "VRML
+// V1.0 ascii" or "VRML V2.0 utf8". If the line does not begin with '#', the result is "Inventor".
 std::string inventorFormat(std::string_view bytes);
 
 // Scans a text file before Coin reads it. Throws an Error with the number of the line if the text

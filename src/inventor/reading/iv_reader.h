@@ -1,4 +1,4 @@
-// Reads the surfaces of Inventor and VRML files with Coin.
+// Reads the surfaces of Inventor and VRML files with the library Coin.
 //
 // The formats are Inventor V1.0 to V2.1 (ascii and binary), VRML 1.0 and VRML 97. For untrusted
 // files call readModel() (inventor/reading/model_file.h) instead: it reads them in a sandboxed

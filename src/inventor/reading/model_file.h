@@ -21,22 +21,22 @@ namespace resect {
 // parts: names of the needed parts, as in a call of a ModelReader (io/operation_setup.h). The
 // argument has an effect only for label images (labelModel() in formats/labels/label_model.h).
 //
-// A sandboxed child process (formats/child/foreign_reading.h) reads the file. The process may use
-// 2 GB of memory. Its processor time is limited to 5 s (60 s for an image), plus 1 s for each MB of
-// the files. Throws Error if the process crashes or exceeds a limit. Also throws Error if the file
+// A sandboxed child process (formats/child/foreign_reading.h) reads the file. The process may use 2
+// GB of memory. Its processor time is limited to 5 s (60 s for an image), plus 1 s for each MB that
+// is read. Throws Error if the process crashes or exceeds a limit. Also throws Error if the file
 // and the files that it refers to are together larger than 1 GB.
 Model readModel(const std::filesystem::path& path, const std::string& parts = {});
 
 // The same with progress reports. While the file is read, `progress` gets a number that depends on
 // the format. For an Inventor or VRML file it is the fraction of the file that has been read. For a
-// label image it is the fraction of the model that has been made, or -1 before that. For all other
-// formats it is -1. At the end `progress` gets 1. If `progress` cancels the reading, the child
-// process is killed.
+// label image it is -1 at first, and later the fraction of the model that has been made. For all
+// other formats it is always -1. At the end `progress` gets 1. If `progress` cancels the reading,
+// the child process is killed.
 Model readModelWatched(const std::filesystem::path& path, const Progress& progress,
                        const std::string& parts = {});
 
 // The same with another limit of processor time. seconds: this limit, which replaces the 5 s, > 0.
-// For an image the limit is at least 60 s. In all cases 1 s is added for each MB of the files.
+// For an image the limit is at least 60 s. In all cases 1 s is added for each MB that is read.
 Model readModelWithin(const std::filesystem::path& path, double seconds,
                       const Progress& progress = {}, const std::string& parts = {});
 

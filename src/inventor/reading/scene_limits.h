@@ -8,9 +8,9 @@ class SoNode;
 
 namespace resect {
 
-// Call this for every node before Coin traverses the node. action: the traversal that has reached
-// the node. If the node would make Coin 4.0.0 crash or run without end, throws an Error that begins
-// with `path`. Such nodes are:
+// Call this for every node before Coin (the Inventor library) traverses the node. action: the
+// traversal that has reached the node. If the node would make Coin 4.0.0 crash or run without end,
+// throws an Error that begins with `path`. Such nodes are:
 // - an Array or MultipleCopy of more than 10 000 copies;
 // - a NURBS surface with control points or knots that are missing, too many or out of range;
 // - a profile that uses a missing point;

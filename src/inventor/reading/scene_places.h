@@ -18,9 +18,10 @@ constexpr const char* kSceneMark = "Resect operation";
 constexpr const char* kCameraNode = "Camera";
 std::string toolNode(int tool);  // name of the node of a tool; tool: its number, from 0
 
-// Returns nothing if the scene has no Info node or camera as described above, which means that
-// Resect did not save it. The numbers in the result are not checked; checkModel() (io/model.h)
-// refuses numbers out of range. The caller must hold a reference to `root` (SoNode::ref()).
+// Returns nothing if the scene lacks the Info node or the camera that is described above. Such a
+// scene was not saved by Resect. The numbers in the result are not checked; checkModel()
+// (io/model.h) refuses numbers out of range. The caller must hold a reference to `root`
+// (SoNode::ref()).
 std::optional<ScenePlaces> findPlaces(SoNode* root);
 
 }  // namespace resect

@@ -58,7 +58,8 @@ struct SmokeBall;
 
 enum class RoomView { Surgeon, Assistant, Top, Laparoscope };
 
-// Where the main surgical lamp hangs, as seen by the surgeon. The second lamp stands opposite.
+// Where the main surgical lamp hangs. Surgeon: on the surgeon's side. The second lamp hangs on
+// another side.
 enum class LampPlace { PatientsRight, PatientsLeft, Surgeon, Above };
 
 constexpr const char* kRoomViewNames = "surgeon, assistant, top or laparoscope";
@@ -97,12 +98,12 @@ class OperatingRoom {
   void addOrgan(const Vec3f& colour);
 
   // The next three functions replace the table, the tool box or the operative field by `model`. If
-  // `model` is null, they only remove the table, the tool box or the field.
+  // `model` is null, the old table, tool box or field is removed without a replacement.
   void setTable(SoNode* model);
   void setToolbox(SoNode* model);
 
-  // model: the operative field (data/room/field.iv). It is placed round the organs, and scaled to
-  // their size. organs: box of the organs; world, m.
+  // model: the operative field, that is, the opened abdomen (data/room/field.iv). It is placed
+  // round the organs, and scaled to their size. organs: box of the organs; world, m.
   void setField(SoNode* model, const Aabb& organs);
 
   // Adds a tool and returns its number. Tools are numbered from 0, in the order in which they are
@@ -134,18 +135,19 @@ class OperatingRoom {
   void setOrgan(const TriangleMesh& mesh, const Vec3f& colour = kLiverColour);
   // Shows the blood on the table and in the air. If `blood` is null, there is no such blood.
   void setLooseBlood(const LooseBlood* blood);
-  // Shows the bare vessels. If `vessels` is null, no bare vessels are shown.
+  // Shows the bare vessels, round which the tissue has been removed. If `vessels` is null, no bare
+  // vessels are shown.
   void setBareVessels(const BareVessels* vessels);
   // Shows what hangs on the organ (operation/adnexa/adnexa.h), if there is a field. It casts no
   // shadow. If `adnexa` is null, nothing is shown.
   void setAdnexa(const SurfaceCopy* adnexa);
-  // Shows smoke: the balls that smokeBalls() makes. It casts no shadow.
+  // Shows smoke: the balls that smokeBalls() makes. Smoke casts no shadow.
   void setSmoke(std::vector<SmokeBall> smoke);
   void setOrganColour(const Vec3f& colour);  // sets the colour of the first organ
   void setOrganPose(const Pose& pose);       // sets the pose of all organs and tissues
 
-  // Shows another mesh beside the organs, such as vessels or the gallbladder. The mesh has the
-  // coordinate frame of the organs.
+  // Shows another mesh, such as vessels or the gallbladder, together with the organs. The mesh has
+  // the coordinate frame of the organs.
   void addTissue(const TriangleMesh& mesh, const Vec3f& colour);
 
   // Adds a callback in front of all nodes that handle events. So the callback gets each event
@@ -153,7 +155,7 @@ class OperatingRoom {
   void addListener(SoEventCallback* listener);
   void removeListener(SoEventCallback* listener);
 
-  // The models and poses that are needed to write the room to a file. A null pointer means that
+  // The models and lamps that are needed to write the room to a file. A null pointer means that
   // there is no model.
   SoNode* tableModel() const;
   SoNode* toolboxModel() const;
@@ -188,8 +190,8 @@ class OperatingRoom {
   // laparoscope: there, corners of the box may be outside the picture. box: world, m. aspect:
   // width / height of the picture.
   void look(RoomView view, const Aabb& box, double aspect);
-  // Aims the camera at the middle of a box. The camera is as near as possible while all corners of
-  // the box are in the picture. box, aspect: as in look().
+  // Aims the camera at the middle of a box. The camera is at the least distance at which all
+  // corners of the box are in the picture. box, aspect: as in look().
   void frame(RoomView view, const Aabb& box, double aspect);
   // Aims the camera at `centre` (world, m). The distance of the camera is such that the silhouette
   // of an object fills the fraction `share` of the picture. silhouette: area of this silhouette in

@@ -31,10 +31,10 @@ Vec3f organColour(const OrganSource& organ);
 
 class OperationView {
  public:
-  // Sets up room, tools and organs, and calls simulation.keepLook(). Aims the lamps at the organs.
-  // Aims the camera at the box scenario.closeUp if it is set, otherwise at the organs. aspect:
-  // width / height of the picture. If no view has the name scenario.view (roomView()), throws an
-  // Error that lists the views.
+  // Sets up room, tools and organs, and calls simulation.keepLook(), so that each step updates
+  // normals for pictures. Aims the lamps at the organs. Aims the camera at the box scenario.closeUp
+  // if it is set, otherwise at the organs. aspect: width / height of the picture. If no view has
+  // the name scenario.view (roomView()), throws an Error that lists the views.
   OperationView(const Scenario& scenario, Simulation& simulation, double aspect);
 
   // Call this after every step. It moves the tools, applies the changes of all organs' surfaces,
@@ -49,16 +49,16 @@ class OperationView {
 
   RgbImage draw(OffscreenView& picture) const;
 
-  // field = true: shows the operative field round the organs. In the field, tools are hidden while
-  // they are at their rest poses: unused instruments lie on a stand outside the picture. field =
-  // false: shows the table and the tool box, if the scenario has them.
+  // field = true: shows the operative field (the opened abdomen) round the organs. In the field,
+  // tools are hidden while they are at their rest poses: unused instruments lie on a stand outside
+  // the picture. field = false: shows the table and the tool box, if the scenario has them.
   void showField(bool field);
 
   OperatingRoom& room() { return room_; }
 
  private:
   OperatingRoom room_;
-  std::vector<double> bloody_;  // for each tool: distance from its tip that blood covers, m
+  std::vector<double> bloody_;  // for each tool: length that blood covers, from the tip on, m
   Aabb organs_;                 // box of the organs at rest; world, m
   std::vector<Pose> rests_;     // rest poses of the tools
   bool smokes_;                 // whether smoke is shown

@@ -1,5 +1,5 @@
 // Saves the operating room as a file that any Inventor viewer can show. Also restores the camera
-// from such a file.
+// from such a file, after the file has been read.
 //
 // The file contains only node types that Inventor itself defines. It contains the camera, two
 // lamps, the table, the tool box and the tools, with their poses. The surface of the organs is an

@@ -1,6 +1,6 @@
-// Reads and writes files *.resect-cells. Such a file holds an organ's lattice, colour values,
-// particles, labels, names of labels, landmarks and vessels. It also names the files from which all
-// this was made.
+// Reads and writes files *.resect-cells. Such a file holds an organ's lattice of cells, colour
+// values (the percentage of tissue in each cell), particles, labels, names of labels, landmarks and
+// vessels. It also gives the names of the files from which the cells were made.
 //
 // docs/cells_file.md describes the format: a text header, then runs (io/cells/byte_runs.h), then a
 // checksum. Lengths are in metres. The same cells give the same bytes on every machine. Cells that

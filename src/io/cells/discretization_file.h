@@ -22,11 +22,11 @@
 // The positions in the file may have been rounded, by up to 1/50 of a cell. The reader replaces
 // them by the exact positions on the lattice.
 //
-// LevelSet is the colour value, 0 to 100. Line 3 gives N, the number of particles inside the
-// object. If exactly N rows have LevelSet > 0, these rows are the particles. Otherwise the first N
-// rows are the particles, and the later rows with LevelSet > 0 are skin cells: cells that hold
-// tissue although their centres are outside the object. A row with LevelSet 0 is a cell without
-// tissue.
+// LevelSet is the colour value: the percentage of the cell that is tissue, 0 to 100. Line 3 gives
+// N, the number of particles inside the object. If exactly N rows have LevelSet > 0, these rows are
+// the particles. Otherwise the first N rows are the particles, and the later rows with LevelSet > 0
+// are skin cells: cells that hold tissue although their centres are outside the object. A row with
+// LevelSet 0 is a cell without tissue.
 #pragma once
 
 #include <filesystem>

@@ -12,8 +12,8 @@ inline bool isParticleFile(const std::filesystem::path& path) {
 }
 
 // unit: metres per unit of a *.dis file. A *.resect-cells file is always in metres. So for such a
-// file `unit` must be 1; otherwise throws Error. Also throws the Errors of the reader of the
-// format.
+// file `unit` must be 1; otherwise throws Error. Also throws the Errors of readCells() or
+// readDiscretization().
 KeptCells readParticleFile(const std::filesystem::path& path, double unit = 1);
 
 // Writes all data if the path ends in .resect-cells. A file with any other name is written in the

@@ -14,7 +14,7 @@ struct OutputFile {
   std::filesystem::path path;  // "" = not wanted; "-" = standard output
 };
 
-// Output files in a folder that are numbered from 1 on: frame_0001.png, piece_1.stl.
+// Output files in one folder, numbered from 1 on: frame_0001.png, piece_1.stl.
 struct NumberedOutputs {
   std::string option;             // "--frames"
   std::filesystem::path folder;   // "" = not wanted

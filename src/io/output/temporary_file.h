@@ -37,8 +37,8 @@ class TemporaryFile {
 };
 
 // Removes the files of all TemporaryFiles of this process. This function is async-signal-safe,
-// since handlers of signals that end the process call it. Does nothing in a forked child. If more
-// than 16 such files exist at once, only 16 of them are removed.
+// since it is called by the signal handlers that end the process. Does nothing in a forked child.
+// If more than 16 such files exist at once, only 16 of them are removed.
 void removeTemporaryFiles() noexcept;
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// Reads a region of an organ from a TOML table. docs/scenarios.md, "Regions", lists the keys. They
-// are the same in every table that gives a region.
+// Reads a region of an organ from a TOML table. docs/scenarios.md, "Regions", lists the keys. These
+// keys are the same in every table that gives a region.
 #pragma once
 
 #include "io/scenario/toml_table.h"

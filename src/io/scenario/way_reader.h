@@ -1,5 +1,5 @@
-// Reads the way of a tool, that is, its motion in an organ's own coordinates: the keys of a
-// [[tool]] with frame = "organ".
+// Reads the way of a tool, that is, its motion in an organ's own coordinates. A way consists of
+// keys: the poses at given times of a [[tool]] with frame = "organ".
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 namespace resect {
 
 inline constexpr std::size_t kMostKeys = 1'000'000;  // most keys of a tool
-// Most keys of a way. This limit is lower, since it takes longer to compute the position of such a
-// key.
+// Most keys of a way. It is lower than kMostKeys, since the position of a way's key takes longer to
+// compute.
 inline constexpr std::size_t kMostWayKeys = 10'000;
 
 // t: the table of the tool. Throws Error if the table has no keys, or if it names an organ that is

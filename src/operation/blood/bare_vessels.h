@@ -12,9 +12,9 @@
 namespace resect {
 
 struct BareVessels {
-  // Walls of the bare vessels; the cut share of a vertex says what it shows (vessel_walls.h).
-  // clipNormals: one per point of the clips. The rest positions in `walls` are in rest space; all
-  // other coordinates are in the world. Unit: m.
+  // Walls of the bare vessels. The cut share, a number per vertex, says what the vertex shows
+  // (vessel_walls.h). clipNormals: one per point of the clips. The rest positions in `walls` are in
+  // rest space; all other coordinates are in the world. Unit: m.
   SurfaceCopy walls;
   TriangleMesh clips;
   std::vector<Vec3f> clipNormals;

@@ -15,8 +15,8 @@ struct CutVesselSummary {
   std::string name;      // for people, such as "right portal vein"
   double diameter = 0;   // of the lumen, m
   bool severed = false;  // false: the vessel has a hole in its wall
-  // Whether clips or heat close the vessel. A severed vessel is closed at both ends; any other
-  // vessel is closed between the hole and the root of its tree.
+  // Whether clips or heat close the vessel. A severed vessel must be closed at both ends. Any other
+  // vessel must be closed between the hole and the root of its tree.
   bool closed = false;
   double bled = 0;            // blood lost so far, m^3
   double flow = 0;            // flow of blood out of the vessel in the last frame, m^3/s
@@ -39,7 +39,7 @@ struct BareVesselSummary {
 struct BloodSummary {
   BloodLedger ledger;
   double rate = 0;                        // blood loss per time, mean over about 1 s, m^3/s
-  double highest = 0;                     // highest value of that mean, m^3/s
+  double highest = 0;                     // highest value of `rate` so far, m^3/s
   double air = 0;                         // air drawn into hepatic veins, m^3
   std::vector<CutVesselSummary> vessels;  // the widest first
   std::vector<BareVesselSummary> bare;    // the widest first

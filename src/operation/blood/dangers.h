@@ -14,7 +14,7 @@ int haemorrhageClass(double lost);
 
 // Sentences for people, the worst first; none if nothing endangers the patient:
 // - bleeding of grade 4 on the VIBe scale, that is more than 50 ml/min at the end;
-// - a loss of more than 15 % of the blood: haemorrhage of class II to IV;
+// - a loss of more than 15 % of the blood: haemorrhage of class 2 to 4;
 // - more than 50 ml of air in the heart; 200 to 300 ml kill (Mirski et al. 2007).
 std::vector<std::string> dangersOf(const BloodSummary& blood);
 
