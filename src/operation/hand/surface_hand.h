@@ -2,10 +2,11 @@
 // with the mouse.
 //
 // While the hand hovers, the instrument's tip is above the point at which the hand points. While
-// the hand presses, the tip is below that point by `depth`. An instrument with an edge goes deeper
-// only while the hand moves on, so that a stroke begins shallow. The instrument's angle to the
-// surface depends on its kind. The instrument turns towards the motion of the hand, so that a blade
-// cuts in the direction of the motion.
+// the hand presses, the tip is below that point by `depth`. An instrument with a cutting edge
+// reaches this depth gradually while the hand moves along the surface, so that a stroke begins
+// shallow. The angle between instrument and surface depends on the kind of instrument. The
+// instrument turns towards the motion of the hand, so that a blade cuts in the direction of the
+// motion.
 #pragma once
 
 #include <optional>
@@ -59,7 +60,8 @@ void pointAt(SurfaceHand& hand, const SurfacePoint& at);
 void landAt(SurfaceHand& hand, const SurfacePoint& at);
 void press(SurfaceHand& hand);
 void lift(SurfaceHand& hand);
-// Changes the depth by `more`, m. If the hand presses, the tip goes to the new depth at once.
+// Changes the depth by `more`, m. If the hand presses, the tip follows at once, even if
+// style.entersSlowly is true.
 void goDeeper(SurfaceHand& hand, double more);
 // Turns the heading about the normal by `angle`, rad, anticlockwise as seen from outside.
 void turnHeading(SurfaceHand& hand, double angle);
@@ -73,7 +75,7 @@ void turnHeading(SurfaceHand& hand, double angle);
 // the hand's point to the eye, unit.
 void seek(SurfaceHand& hand, std::span<const Vec3> targets, const Vec3& towardsEye);
 // The point at which the instrument works, world, m. This is the target, if there is one and
-// style.staysOutside is false. Otherwise it is the point on the surface.
+// style.staysOutside is false. Otherwise it is the point at which the hand points.
 Vec3 workPoint(const SurfaceHand& hand);
 
 // The pose of the tool's frame in the world. The origin of this frame is the tool's tip. The hand
