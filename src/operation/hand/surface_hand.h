@@ -55,8 +55,8 @@ struct SurfaceHand {
 // A hand that has taken up an instrument. heading: unit; for blades, the direction of the cut.
 SurfaceHand takeUp(const HandStyle& style, const Vec3& heading);
 void pointAt(SurfaceHand& hand, const SurfacePoint& at);
-// As pointAt(), but the way to `at` is not part of the hand's path: the path begins at `at`, and
-// the heading stays as near to the present one as the surface allows.
+// Does the same as pointAt(), but the way to `at` is not part of the hand's path: the path begins
+// at `at`. The heading changes only as much as the surface there requires.
 void landAt(SurfaceHand& hand, const SurfacePoint& at);
 void press(SurfaceHand& hand);
 void lift(SurfaceHand& hand);
@@ -70,7 +70,7 @@ void turnHeading(SurfaceHand& hand, double angle);
 // surface. Chooses the target that, as the eye sees it, is nearest to the point at which the hand
 // points. Two conditions must be met. At right angles to the line of sight, the distance between
 // target and point must be less than style.seeks. Along the line of sight, this distance must be
-// less than style.mostDepth. While the hand presses, it takes no new target. It keeps its old
+// less than style.mostDepth. While the hand presses, it takes no new target, and it keeps its old
 // target as long as this target meets the conditions. targets: world, m. towardsEye: direction from
 // the hand's point to the eye, unit.
 void seek(SurfaceHand& hand, std::span<const Vec3> targets, const Vec3& towardsEye);

@@ -35,7 +35,7 @@ struct LiveState {
   // Numbers of particles left, of particles removed so far, and of triangles of the surfaces.
   std::int64_t particles = 0, removed = 0, triangles = 0;
   std::shared_ptr<const Ledger> ledger;  // at most about a second old; null without LedgerWatch
-  double removedVolume = 0, volume = 0;  // m^3, of the removed tissue and of the tissue left
+  double removedVolume = 0, volume = 0;  // m^3, of the removed and of the remaining tissue
   float iso = 50;                        // iso level of the first organ
   bool moves = false;                    // whether any tissue is elastic
   bool canBreathe = false;               // whether the simulation has breathing

@@ -104,7 +104,8 @@ class OperationHistory {
   // the history; call goTo() or mend() before anything else.
   void goTo(Moment moment, Simulation& simulation, const Shown& shown = {});
   // Whether goTo() or playNext() was stopped or failed, so that the simulation is not at any moment
-  // of the history. mend() then brings it back to now(); otherwise mend() does nothing.
+  // of the history. If broken(), mend() brings the simulation back to now(). If not, mend() does
+  // nothing.
   bool broken() const { return broken_; }
   void mend(Simulation& simulation) {
     if (broken_) goTo(now_, simulation);
