@@ -7,8 +7,8 @@
 
 namespace resect {
 
-// Cuts these wounds into the organ and its vessels. The organ must not have moved yet. Throws Error
-// if a wound meets no tissue.
+// Cuts `wounds` into the organ and its vessels. The organ must not have moved yet. Throws Error if
+// a wound meets no tissue.
 void makeWounds(std::span<const OrganWound> wounds, OperatedOrgan& organ);
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// The precompiled header of the layers from operation/ on: base/precompiled.h and the simulation.
-// No file includes this header by name.
+// The precompiled header of the layer operation/ and of some layers above it: base/precompiled.h,
+// and the headers of the simulation. No file includes this header by name.
 #pragma once
 
 #include "base/precompiled.h"

@@ -1,4 +1,4 @@
-// What a scenario's title promises, and whether a run fulfilled it.
+// What a scenario's title promises, and whether a run kept the promises.
 #pragma once
 
 #include <array>

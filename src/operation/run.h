@@ -31,11 +31,12 @@ struct ToolForces {
 
 struct RunSummary {
   Ledger ledger;  // at the end of the run
-  // Largest volume that a tool and still tissue shared at the end of a frame, m^3.
+  // Largest volume in which a tool overlapped tissue that does not move, at the end of a frame,
+  // m^3.
   double deepestOverlap = 0;
   // touched: whether any tool touched tissue. toolTouched: for each tool, whether it worked on
-  // tissue or took blood away. If tissue moves, a tool that came near tissue counts too, since a
-  // pencil or a clamp acts from beside the tissue.
+  // tissue or took blood away. If tissue moves, a tool that only came near tissue counts too,
+  // since an electrosurgical pencil or a clamp acts from beside the tissue.
   bool touched = false;
   std::vector<bool> toolTouched;
   std::int64_t frames = 0;

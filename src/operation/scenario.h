@@ -66,7 +66,7 @@ struct OrganSource {
   double unit = 1;                // metres per unit of the file
   bool repair = false;            // true: holes are closed; false: holes are an error
   std::optional<double> spacing;  // side of a cell, m; give this or dims
-  std::optional<Vec3i> dims;      // samples along each axis of the bounding box, as in the thesis
+  std::optional<Vec3i> dims;  // samples along each axis of the bounding box (organ/discretize.h)
   // A particle file contains cells. If `resample` is true, new cells are made from their surface
   // instead, by spacing or dims.
   bool resample = false;
@@ -232,9 +232,9 @@ struct Scenario {
   std::optional<double> after = {};  // not kept in recordings
   Breathing breathing;
   bool table = true, toolBox = true;  // whether the room has a table, and a tool box
-  // The surroundings of the organs: "table", or "field" for an opened abdomen. They are drawn, and
-  // they stop moving tissue (io/surroundings/surroundings_of.h). A recording keeps this word as
-  // text.
+  // The surroundings of the organs: "table", or "field" for an opened abdomen. They are drawn,
+  // and elastic tissue cannot enter them (io/surroundings/surroundings_of.h). A recording keeps the
+  // setting as text.
   std::string setting = "table";
   std::string view = "surgeon";  // name of the camera's view (docs/scenarios.md)
   std::optional<Aabb> closeUp;   // box that fills the pictures, world, m; none: organs fill them
@@ -258,10 +258,10 @@ void requireSound(const OrganSource& source);
 void requireSound(const TissueSetup& tissue);
 void requireSound(const Scenario& scenario);
 
-// Sets the depth of breathing, m, for a user who asks for it. Throws Error if the depth is out of
-// range, or if no tissue moves.
+// Sets the depth of breathing, m. Throws Error if the depth is out of range, or if the
+// depth is above 0 and no tissue moves.
 void setBreathing(Scenario& scenario, double depth);
-// Adds breathing at rest to a scenario with moving tissue and without breathing. The breathing is
+// Adds the usual breathing to a scenario that has moving tissue but no breathing. The breathing is
 // off until FrameInput::breathes starts it.
 void offerBreathing(Scenario& scenario);
 // Whether any tissue moves.
@@ -275,7 +275,7 @@ bool showsField(const Scenario& scenario);
 // The name of the tool's description file without folder and extension, such as "scalpel" for
 // "tools/scalpel.toml". Tasks use these names for instruments.
 std::string modelOf(const ScenarioTool& tool);
-// Removes all organs but the first, and all joints.
+// Removes all organs except the first, and all joints.
 void keepFirstOrgan(Scenario& scenario);
 // Replaces all organs by one. The new organ gets the name and the tissue of the first organ. If
 // source.onTable, it also gets the first organ's position. It does not get the materials of labels.

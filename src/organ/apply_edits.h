@@ -1,4 +1,4 @@
-// Applies edits to an organ. All edits of tissue are made by this one function.
+// Applies edits to an organ. All edits of tissue are applied by this one function.
 #pragma once
 
 #include <span>

@@ -17,11 +17,11 @@ inline constexpr std::int64_t kMaxCells = 200'000'000;
 // there is one cell along this axis. An empty box is an Error.
 Lattice latticeForSpacing(const Aabb& box, double spacing);
 
-// The grid that the text of the thesis describes. Along each axis of the box there are dims (>= 1)
-// samples. The first lies at the box's lowest corner, and the spacing is the box's side / dims. The
-// lattice has one more cell at the upper end of each axis, for the part of the box beyond the last
-// sample. An organ with this lattice can be shown and carved. It can deform only if the three
-// spacings are equal.
+// The grid that the text of the thesis describes (the diploma thesis that Resect continues). Along
+// each axis of the box there are dims (>= 1) samples. The first lies at the box's lowest corner,
+// and the spacing is the box's side / dims. The lattice has one more cell at the upper end of each
+// axis, for the part of the box beyond the last sample. An organ with this lattice can be shown and
+// carved. It can deform only if the three spacings are equal.
 Lattice latticeForDims(const Aabb& box, const Vec3i& dims);
 
 // The grid that the files of the thesis have (docs/decisions/0002-thesis-grid-is-cubic.md). The

@@ -1,5 +1,8 @@
 // Fits colour values so that the organ's iso surface lies on the mesh that it was made from.
 //
+// The iso surface is where the colour field is 50. The field at a point is a kernel-weighted sum of
+// the colour values of the cells near the point (sph/colour_field.h).
+//
 // If a cell's colour value were simply its share of tissue, the iso surface would deviate from the
 // mesh by up to a twentieth of a cell. The deviations would be ripples that follow the lattice and
 // show in highlights. Here the values of the cells that the surface crosses are corrected until the
@@ -23,8 +26,8 @@ namespace resect {
 // levels (sph/colour_values.h), which moves the surface by about a thousandth of a cell. `mesh`:
 // the mesh that `cells` were made from. The result has the same bits at any number of threads. On
 // average, an area as large as a cell's face has two points (pointsToFit()). Each point has 33
-// cells in its reach. Cost per point: 13 loops over these cells, and 12 bytes of memory per cell
-// until the function returns.
+// cells in its reach. Cost per point: 13 loops over these cells, and 12 bytes of memory for each
+// of them until the function returns.
 void fitSurface(const TriangleMesh& mesh, Discretization& cells);
 
 // The points on the mesh at which the field is fitted to 50, in cell space

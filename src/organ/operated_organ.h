@@ -53,8 +53,8 @@ OperatedOrgan operatedOrgan(std::string name, Organ organ,
 // Call after a state was loaded into `organ.organ` and `organ.tissue`. Derives field, surface and
 // skin from the state; if keepsLook is true, also normals and cut shares (isosurface/brick_look.h).
 // anew: if true, the whole surface is meshed again; if false, only the parts that differ from the
-// present surface. Must be true if a stopped computation left field, surface or skin half changed
-// (base/stop.h). Throws Error if the state does not fit the organ.
+// present surface. `anew` must be true if a computation was stopped and left field, surface or
+// skin half changed (base/stop.h). Throws Error if the state does not fit the organ.
 void remake(OperatedOrgan& organ, bool keepsLook, bool anew);
 
 // Fingerprint of the organ before the operation. A state saved from an organ can be restored into

@@ -101,11 +101,11 @@ void setParticle(Organ& organ, std::int64_t cell, bool there);
 std::int64_t incise(Organ& organ, const SweptBlade& blade,
                     CutsBetweenCells cuts = CutsBetweenCells::Any);
 
-// updateField() evaluates the bricks that edits touched and returns these bricks. updateSurface()
-// then meshes them again.
+// updateField() evaluates the bricks (blocks of 4 x 4 x 4 nodes) that edits touched, and returns
+// these bricks. updateSurface() then meshes them again.
 std::span<const std::int64_t> updateField(Organ& organ);
 void updateSurface(Organ& organ, std::span<const std::int64_t> touchedBricks);
-// As updateSurface(), after a state was restored.
+// Does the same as updateSurface(); to be called instead after a state was restored.
 void updateRestoredSurface(Organ& organ, std::span<const std::int64_t> touchedBricks);
 // Sets another iso level and meshes the whole surface again.
 void setIso(Organ& organ, float iso);

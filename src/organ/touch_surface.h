@@ -11,7 +11,7 @@ namespace resect {
 
 // Returns one patch for each triangle of the surface at iso level 50. SurfacePatch::cell is the
 // particle nearest to the triangle's centre; the patches are in ascending order of this index. A
-// triangle is left out if there is no particle at most two cells away from it along each axis.
+// triangle is left out if no particle lies within two cells of its centre along each axis.
 // `organ` must not have been edited yet. So the patches depend on organ.rest alone, and are the
 // same for every state of the operation.
 std::vector<SurfacePatch> touchSurface(const Organ& organ);

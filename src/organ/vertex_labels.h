@@ -19,10 +19,10 @@ std::int64_t nearestParticle(const Lattice& lattice, std::span<const std::uint8_
 
 // One label per vertex of organ.surface.points(); the surface must be up to date. A vertex beside
 // an incision has the label of the particle with the greatest weight in the vertex's binding; this
-// particle is on the vertex's own side of the incision (wound/vertex_binding.h). Holes, which no
-// triangle uses, and vertices for which nearestParticle() returns -1 have label 0. In an organ that
-// was made without labels all vertices have label 0, even if edits have set labels since. Cost: 27
-// to 152 cells are examined per vertex.
+// particle is on the vertex's own side of the incision (wound/vertex_binding.h). Holes in the
+// arrays (vertices that no triangle uses) and vertices for which nearestParticle() returns -1 have
+// label 0. In an organ that was made without labels all vertices have label 0, even if edits have
+// set labels since. Cost: 27 to 152 cells are examined per vertex.
 std::vector<std::uint8_t> vertexLabels(const Organ& organ);
 
 }  // namespace resect

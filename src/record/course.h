@@ -19,9 +19,9 @@ struct CourseSpan {
 // has no such branch, or if no frame leads to the branch's end.
 std::vector<CourseSpan> courseOf(RecordingFile& file, std::int64_t branch);
 
-// The course that leads to a moment. If the moment's frame is 0, or if it comes after the end of
-// the moment's branch, returns the course to the end of this branch. For an attempt that was ended
-// in the window, pass RecordingFile::moment() as `moment`.
+// The course that leads to a moment. If the moment's frame is 0, or if this frame is after the end
+// of the moment's branch, returns the course to the end of this branch. For an attempt at a task
+// that was ended in the window, pass RecordingFile::moment() as `moment`.
 std::vector<CourseSpan> courseTo(RecordingFile& file, const Moment& moment);
 
 // The part of a course from frame `first` to frame `last`. Both numbers are clamped to the course.

@@ -151,7 +151,11 @@ LiverAdnexa liverAdnexa() {
 
 std::optional<Pose> builtinLiverPose(const Anatomy& vessels) {
   constexpr double kSame = 1e-4;  // m
+  // The roots of the trees that the built-in liver ships with: from the entry to the first fork.
+  const VesselGrowth grown = builtinLiverVessels();
   Eigen::Matrix<double, 3, 4> theirs, ours;
+  ours << grown.hilumOut, Vec3(0.0308, 0.000745, 0.004013),  // portal vein
+      grown.cavaOut, Vec3(0.0308, 0.040745, -0.010987);      // hepatic veins
   int column = 0;
   for (const VesselKind kind : {VesselKind::PortalVein, VesselKind::HepaticVein}) {
     const VesselRange range = vessels.range(kind);
@@ -160,8 +164,6 @@ std::optional<Pose> builtinLiverPose(const Anatomy& vessels) {
     theirs.col(column++) = root.start;
     theirs.col(column++) = root.end;
   }
-  const VesselGrowth grown = builtinLiverVessels();
-  ours << grown.hilumOut, grown.hilum, grown.cavaOut, grown.cava;
   const Eigen::Matrix4d pose = Eigen::umeyama(ours, theirs, false);
   const Mat3 rotation = pose.topLeftCorner<3, 3>();
   const Vec3 position = pose.topRightCorner<3, 1>();

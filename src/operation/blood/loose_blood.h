@@ -15,7 +15,7 @@ struct LooseBlood {
   // Depth of blood on each square of the table, smoothed over neighbouring squares. The bytes 0 to
   // 255 stand for depths of 0 to kDeepest. There are kTableCells x kTableCells squares, x fastest.
   std::vector<std::uint8_t> pool;
-  Aabb poolBox;              // round the puddles, world, m
+  Aabb poolBox;              // box that encloses the puddles, world, m
   std::vector<Vec3f> drops;  // positions, world, m
 };
 

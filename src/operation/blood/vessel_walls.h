@@ -30,18 +30,20 @@ enum class WallEnd { Covered, Open, Sealed };
 // The wall of a segment of a vessel, or of a part of it.
 struct VesselWall {
   VesselKind kind = VesselKind::PortalVein;
-  double lumen = 0, outside = 0;      // radii of the lumen and of the wall's outside, m
-  double outsideA = 0, outsideB = 0;  // radius of the outside at the axis's ends a and b, m
-  SmoothWay present, rest;            // axis of the segment, in the world and in rest space
-  double from = 0, to = 1;            // the wall covers the axis between these fractions
+  // Radii of the lumen and of the wall's outside, m. Near the axis's ends a and b the radius of the
+  // outside changes gradually to outsideA and outsideB.
+  double lumen = 0, outside = 0;
+  double outsideA = 0, outsideB = 0;
+  SmoothWay present, rest;  // axis of the segment, in the world and in rest space
+  double from = 0, to = 1;  // the wall covers the axis between these fractions
   WallEnd atFrom = WallEnd::Covered, atTo = WallEnd::Covered;
   std::vector<VesselPinch> pinches;
 };
 
-// In these meshes the cut share of a vertex is a code, which the shader data/shaders/strand.frag
-// reads. The code is kLookOfKind times the number of the VesselKind, plus a number:
-// - 0 to 1 on the wall's outside: 1 where heat has shrivelled the wall;
-// - 2 (kLookInside) to 3 on the inside: 2 at the rim of the cut, 3 deep in the lumen.
+// SurfaceCopy::cut of a vertex of these meshes is a code, which the shader data/shaders/strand.frag
+// reads. The code is kLookOfKind times the number of the VesselKind, plus one of these numbers:
+// - on the wall's outside 0 to 1: 1 where heat has shrivelled the wall;
+// - on the inside 2 (kLookInside) to 3: 2 at the rim of the cut, 3 deep in the lumen.
 inline constexpr float kLookOfKind = 4, kLookInside = 2;
 
 // Appends a wall as a closed mesh. The vessel's thickness varies a little along its length, but not

@@ -2,10 +2,11 @@
 // with the mouse.
 //
 // While the hand hovers, the instrument's tip is above the point at which the hand points. While
-// the hand presses, the tip is below that point by `depth`. An instrument with an edge goes deeper
-// only while the hand moves on, so that a stroke begins shallow. The instrument's angle to the
-// surface depends on its kind. The instrument turns towards the motion of the hand, so that a blade
-// cuts in the direction of the motion.
+// the hand presses, the tip is below that point by `depth`. An instrument with a cutting edge
+// reaches this depth gradually while the hand moves along the surface, so that a stroke begins
+// shallow. The angle between instrument and surface depends on the kind of instrument. The
+// instrument turns towards the motion of the hand, so that a blade cuts in the direction of the
+// motion.
 #pragma once
 
 #include <optional>
@@ -54,12 +55,13 @@ struct SurfaceHand {
 // A hand that has taken up an instrument. heading: unit; for blades, the direction of the cut.
 SurfaceHand takeUp(const HandStyle& style, const Vec3& heading);
 void pointAt(SurfaceHand& hand, const SurfacePoint& at);
-// As pointAt(), but the way to `at` is not part of the hand's path: the path begins at `at`, and
-// the heading stays as near to the present one as the surface allows.
+// Does the same as pointAt(), but the way to `at` is not part of the hand's path: the path begins
+// at `at`. The heading changes only as much as the surface there requires.
 void landAt(SurfaceHand& hand, const SurfacePoint& at);
 void press(SurfaceHand& hand);
 void lift(SurfaceHand& hand);
-// Changes the depth by `more`, m. If the hand presses, the tip goes to the new depth at once.
+// Changes the depth by `more`, m. If the hand presses, the tip follows at once, even if
+// style.entersSlowly is true.
 void goDeeper(SurfaceHand& hand, double more);
 // Turns the heading about the normal by `angle`, rad, anticlockwise as seen from outside.
 void turnHeading(SurfaceHand& hand, double angle);
@@ -68,12 +70,12 @@ void turnHeading(SurfaceHand& hand, double angle);
 // surface. Chooses the target that, as the eye sees it, is nearest to the point at which the hand
 // points. Two conditions must be met. At right angles to the line of sight, the distance between
 // target and point must be less than style.seeks. Along the line of sight, this distance must be
-// less than style.mostDepth. While the hand presses, it takes no new target. It keeps its old
+// less than style.mostDepth. While the hand presses, it takes no new target, and it keeps its old
 // target as long as this target meets the conditions. targets: world, m. towardsEye: direction from
 // the hand's point to the eye, unit.
 void seek(SurfaceHand& hand, std::span<const Vec3> targets, const Vec3& towardsEye);
 // The point at which the instrument works, world, m. This is the target, if there is one and
-// style.staysOutside is false. Otherwise it is the point on the surface.
+// style.staysOutside is false. Otherwise it is the point at which the hand points.
 Vec3 workPoint(const SurfaceHand& hand);
 
 // The pose of the tool's frame in the world. The origin of this frame is the tool's tip. The hand

@@ -3,9 +3,9 @@
 // In a ledger, volume is always the volume of the tissue in cells (Discretization::cellVolume()).
 // It includes skin cells, which hold tissue although their centres lie outside the organ. The
 // volume inside the surface is a little different and is no part of the ledger. A label is the
-// number of the structure, such as a tumour, to which a cell belongs. Each cell counts with the
-// label and the density that it had before the operation. Volumes are added as whole multiples of
-// 2^-24 of a cell's volume, so their sums do not depend on the order of addition. For each label
+// number of the structure, such as a tumour, to which a cell belongs. Each cell is counted with
+// the label and the density that it had before the operation. Volumes are added as whole multiples
+// of 2^-24 of a cell's volume, so their sums do not depend on the order of addition. For each label
 // and for each organ the equation
 //
 //   before = body + pieces + debris + removed
@@ -112,12 +112,13 @@ class LedgerBooks {
   LedgerBooks(const std::vector<TissueSetup>& setups, const Simulation& simulation);
 
   // The ledger of the present state. Cost: the cost of woundFaces()
-  // (operation/ledger/wound_faces.h), plus 2 ms for a million particles of still tissue without
-  // cuts or for 13 000 particles of moving tissue.
+  // (operation/ledger/wound_faces.h), and the time to count the particles. Counting takes 2 ms for
+  // 13 000 particles of moving tissue, or for a million particles of tissue that neither moves nor
+  // has cuts.
   Ledger ledgerOf(const Simulation& simulation) const;
 
  private:
-  struct Odd {  // a particle whose tissue is more or less than one full cell
+  struct Odd {  // a particle whose volume, with its skin cells, is not exactly that of a full cell
     std::int64_t cell = 0;
     std::int64_t units = 0;  // its volume minus a full cell's, in 2^-24 of a full cell
     // Added to the number of particles: 0, or -1 for a skin cell that Organ treats as a particle.

@@ -1,5 +1,6 @@
-// Surgeons divide the liver into eight segments, after Couinaud. How much of each segment is left
-// in the liver's body, that is, its largest part (organ/parts/tissue_parts.h).
+// Tells how much of each liver segment is left in the liver's body, that is, in its largest part
+// (organ/parts/tissue_parts.h). The segments are the eight into which surgeons divide the liver,
+// after Couinaud.
 #pragma once
 
 #include <vector>
@@ -9,8 +10,9 @@
 namespace resect {
 
 struct SegmentAmount {
-  int segment = 0;              // 1 to 8 (anatomy/liver_segments.h)
-  double before = 0, body = 0;  // its volume before the operation, and now in the body, m^3
+  int segment = 0;  // 1 to 8 (anatomy/liver_segments.h)
+  // Volume of the segment: before the operation, and in the body now, m^3.
+  double before = 0, body = 0;
 };
 
 // One entry per segment, ascending; empty if the segments cannot be found from the organ's vessels.

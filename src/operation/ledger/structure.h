@@ -1,5 +1,5 @@
-// The shape of a labelled structure, such as a tumour, and its distance from points. Margins are
-// computed from these distances.
+// The shape of a labelled structure, such as a tumour, and its distance from points. The margin
+// of a structure, its least distance from a wound, is computed from these distances.
 //
 // The shape is a smooth surface through the lattice. Each cell has a flag: 1 if it has the label,
 // otherwise 0. The flags are averaged over each cell and its neighbours (weights 1, 2, 1 along each
@@ -47,7 +47,7 @@ class Structure {
   // least 33.
   std::vector<std::uint8_t> share_;
   std::vector<Vec3f> points_;       // points of its surface, m, sorted as a k-d tree (sortInto())
-  std::vector<std::uint8_t> axis_;  // per point: axis along which it divides the points below it
+  std::vector<std::uint8_t> axis_;  // per point: axis that divides the points below it in the tree
   Vec3f low_, high_;                // box round the points
 };
 

@@ -1,5 +1,5 @@
 // Branches: the different courses that an operation has taken. Branch 0 is the first. Each further
-// branch begins at an earlier moment: the user went back to this moment and operated from there.
+// branch begins at an earlier moment: the user went back to this moment and went on operating.
 #pragma once
 
 #include <cstdint>

@@ -24,9 +24,10 @@ inline double squeezeTowards(double wanted, double now, double duration) {
 constexpr double kOpenOnTheWay = 0.5;  // squeeze
 constexpr double kArrived = 0.004;     // m: a tip has arrived if it is this near to the place
 
-constexpr double kHandTime = 0.04;    // s: time in which a hand covers 63 % of the remaining way
-constexpr double kHandTurning = 12;   // rad/s: largest angular speed of a hand
-constexpr double kTurnsFirst = 0.35;  // rad: while a larger turn is left, the hand turns in place
+constexpr double kHandTime = 0.04;   // s: time in which a hand covers 63 % of the remaining way
+constexpr double kHandTurning = 12;  // rad/s: largest angular speed of a hand
+// rad: while a hand still has to turn a tool by more than this, the tool's tip does not move.
+constexpr double kTurnsFirst = 0.35;
 
 // How a hand moves a tool to its pose.
 struct HandMotion {
@@ -37,7 +38,7 @@ struct HandMotion {
 // A tool has the pose `now` and is to reach the pose `wanted`. Returns the pose that it has after
 // `duration`, s. The tool's speed is at most `fastest`, m/s.
 inline Pose poseTowards(const Pose& wanted, const Pose& now, double duration, double fastest) {
-  constexpr double kNear = 1e-5, kAligned = 1e-3;  // m, rad: the pose counts as reached
+  constexpr double kNear = 1e-5, kAligned = 1e-3;  // m, rad: within these, the pose is reached
   const double length = (wanted.position - now.position).norm();
   const double angle = angleBetween(now.rotation, wanted.rotation);
   if (length < kNear && angle < kAligned) return wanted;

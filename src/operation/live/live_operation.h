@@ -3,8 +3,8 @@
 // The thread steps the simulation at `frameRate` frames per second of real time. The caller never
 // waits for a frame, except in surface(), look() and the functions for tests. Inputs can be set at
 // any moment. They take effect from the next frame on. take() gives the changes of the surfaces
-// since the last call of take(). Time lost by slow frames is not made up: the operation then runs
-// slower than the clock, and StepTimes::realTimeFactor is below 1.
+// since the last call of take(). Time lost by slow frames is not made up: while frames are slow,
+// the operation runs slower than the clock, and StepTimes::realTimeFactor is below 1.
 #pragma once
 
 #include <atomic>
@@ -36,8 +36,8 @@ namespace resect {
 struct OperationWatch {
   std::function<void(const Branch&, const Simulation&)> began;
   std::function<void(const Branch&)> renamed;
-  // Operating pauses, because another moment will be shown or the operation ends. The given moment
-  // is the end of a branch.
+  // The operation ends, or stops at the end of a branch in order to show another moment. The
+  // function gets the end of the branch.
   std::function<void(Moment, const Simulation&)> stood;
   // moment: the end of the frame. events: the events of the frame.
   std::function<void(Moment moment, const FrameInput&, const StepReport&,
@@ -50,7 +50,7 @@ class LiveOperation {
   // Returns the input of the motion's next frame; nothing at the motion's end.
   using Motion = std::function<std::optional<FrameInput>()>;
 
-  // Starts at once, with all tools out of hand at their rest poses (`rests`, one per tool).
+  // Starts at once. No tool is in hand; all are at their rest poses (`rests`, one per tool).
   // frameRate: simulated frames per second, 1 to 1000. history: the history of an operation that is
   // to be continued; `simulation` must be at history.now(). The operation then shows this moment
   // until goOn() is called. ledger: computes LiveState::ledger. Without `ledger`, LiveState::ledger
@@ -76,8 +76,8 @@ class LiveOperation {
   void setSight(std::vector<Sight> sight);
   // From the next frame on, `motion` moves the tools. `motion` is called once per frame, in the
   // operation's thread, until it returns nothing. play({}) ends the motion earlier. Of the
-  // FrameInput that `motion` returns, only `tools` is used. If these tools are invalid, so that
-  // Simulation::step() throws, the motion ends too, and LiveState::faults says why.
+  // FrameInput that `motion` returns, only `tools` is used. If Simulation::step() throws because
+  // `tools` is invalid, the motion ends too, and LiveState::faults says why.
   void play(Motion motion);
   // Goes back to the start of the operation, then does the same as play(). This is a request;
   // requests are explained below.
@@ -92,9 +92,9 @@ class LiveOperation {
   // A request brings the operation to a moment of its history, which is then shown: all tools are
   // where they were at that moment, motions have ended, and no new frame begins until goOn() is
   // called. Only playFromStart() goes on by itself: it plays its motion from that moment on. undo()
-  // goes to the moment before the last stroke. redo() goes to the moment at which the last undo()
-  // was called. If there is no such moment, nothing changes. show() goes to any moment of
-  // LiveState::timeline.
+  // goes to the moment before the last stroke (strokes.h). redo() goes to the moment at which the
+  // last undo() was called. If there is no such moment, nothing changes. show() goes to any moment
+  // of LiveState::timeline.
   std::int64_t undo();
   std::int64_t redo();
   std::int64_t show(Moment moment);
@@ -102,8 +102,7 @@ class LiveOperation {
   // speed: seconds of the operation per second of real time, 0 to 100; 0 stops the playback.
   void setPlayback(double speed, std::int64_t branch);
   // Operating goes on from the moment that is shown. If the moment is the end of its branch, this
-  // branch goes on; otherwise a new branch begins. Has no effect while any request has not been
-  // done yet.
+  // branch goes on; otherwise a new branch begins. Has no effect before all requests are done.
   void goOn();
   // Ends the present stroke before the next frame.
   void endStroke();
@@ -124,8 +123,8 @@ class LiveOperation {
   // Calls `read` with the simulation between two frames. Waits as surface() does. The next frame
   // begins only after `read` has returned.
   void look(const std::function<void(const Simulation&)>& read);
-  // For tests: waitFor() waits until this frame is done, waitForAnswer() until all requests are
-  // done.
+  // For tests: waitFor() waits until the frame with this number is done, waitForAnswer() until all
+  // requests are done.
   void waitFor(std::int64_t frame);
   void waitForAnswer();
 
@@ -190,7 +189,7 @@ class LiveOperation {
   std::int64_t asked_ = 0;
   std::vector<std::pair<std::int64_t, std::string>> names_;  // new names for branches
   std::optional<std::size_t> mostBytes_;                     // new limit for the history
-  // A show() is being answered and has shown a state, so that a newer show() may stop it.
+  // A show() is being answered and has shown at least one state. A newer show() may now stop it.
   bool replaceable_ = false;
   bool motionComes_ = false;  // the request that is being answered has a motion
   bool stepping_ = false;     // a frame is being computed: only the thread may use simulation_

@@ -1,5 +1,5 @@
 // The data of an operation that the window shows in its panels: counts, volumes, forces, times.
-// They do not include the surface.
+// The surface is not among them.
 #pragma once
 
 #include <cstdint>
@@ -35,19 +35,20 @@ struct LiveState {
   // Numbers of particles left, of particles removed so far, and of triangles of the surfaces.
   std::int64_t particles = 0, removed = 0, triangles = 0;
   std::shared_ptr<const Ledger> ledger;  // at most about a second old; null without LedgerWatch
-  double removedVolume = 0, volume = 0;  // m^3, of the removed tissue and of the tissue left
+  double removedVolume = 0, volume = 0;  // m^3, of the removed and of the remaining tissue
   float iso = 50;                        // iso level of the first organ
   bool moves = false;                    // whether any tissue is elastic
   bool canBreathe = false;               // whether the simulation has breathing
   bool breathes = false;                 // whether the breathing is on now (Breath::on)
-  std::vector<std::string> faults;       // those since the last LiveOperation::take(), each once
+  std::vector<std::string> faults;       // since the last LiveOperation::take(), each once
   // The tools' inputs while a motion plays or a moment of the history is shown. Otherwise empty:
-  // the hand moves the tools (LiveOperation::setTool()).
+  // the user's hand moves the tools (LiveOperation::setTool()).
   std::vector<ToolInput> played;
   Moment moment;         // the place of this state in the history
   bool showing = false;  // a moment of the history is shown: no new frame begins until goOn()
   double playback = 0;   // while showing: seconds of the operation per second; 0: no playback
-  int undoable = 0, redoable = 0;  // numbers of strokes that can be undone and redone
+  // Numbers of strokes (strokes.h) that can be undone and redone.
+  int undoable = 0, redoable = 0;
   std::int64_t answered = 0;     // number of the last request that was done (LiveOperation::undo())
   std::size_t historyBytes = 0;  // memory for the states of the history
   std::shared_ptr<const Timeline> timeline;  // at most 15 frames old
@@ -59,19 +60,19 @@ struct LiveState {
   double bloodTime = 0;                       // simulated time of bled and bleedingRate, s
   std::vector<BleedingEnd> bleedingEnds;      // vessels' ends that bleed
   std::vector<ClippedVessel> clips;           // vessels with clips, one entry per clip
-  bool inflowClamped = false;                 // whether the inflow is clamped now
-  double clampedTime = 0;                     // total time for which it has been clamped, s
+  bool inflowClamped = false;                 // whether an organ's inflow of blood is clamped now
+  double clampedTime = 0;                     // total time with clamped inflow, s
   std::shared_ptr<const LooseBlood> loose;    // blood on no organ; null: none
   std::shared_ptr<const BareVessels> bare;    // null: no bare vessels and no clips
   std::shared_ptr<const SurfaceCopy> adnexa;  // what hangs on the organ (Adnexa); null: nothing
   SmokePlume smoke;
   // The lists below have one element per tool.
   std::vector<Pose> poses;           // its present pose, world
-  std::vector<std::uint8_t> inHand;  // 1: it is in hand, or left at work
+  std::vector<std::uint8_t> inHand;  // 1: in hand, or left holding or pressing
   std::vector<std::uint8_t> moved;   // 1: it moved in the last frame
   std::vector<TipPlace> tips;        // valid only while the tool is in hand
   std::vector<double> squeeze;       // of its jaws: 0 wide open, 1 closed
-  std::vector<double> bloody;        // bloody length from its tip, m (followBlood())
+  std::vector<double> bloody;        // length that is bloody, from the tip, m (followBlood())
   std::vector<double> forces;        // smoothed force of the tissue on the tool, N
   std::vector<double> peakForces;    // largest value so far of a frame's mean force, N
   std::vector<double> lastTouch;  // simulated time when the tool last touched tissue, s; -1: never

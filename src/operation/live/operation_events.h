@@ -23,8 +23,8 @@ struct OperationEvent {
 };
 
 // Whether a tool worked on an organ in the step that `report` describes: it touched, pushed or cut
-// tissue, or it changed tissue or vessels by another edit. The edits Release, Suction and Press do
-// not count.
+// tissue, or it changed tissue or vessels by another edit (organ/edit.h). The edits Release,
+// Suction and Press do not count.
 bool worksOnOrgan(const StepReport& report, const Simulation& simulation, std::size_t tool);
 
 // The data about the previous step that eventsOf() needs: two flags per tool, and whether there was
@@ -40,8 +40,8 @@ struct EventMemory {
 std::vector<OperationEvent> eventsOf(const StepReport& report, const Simulation& simulation,
                                      EventMemory& memory);
 
-// Updates the memory by a recorded event, in the way in which eventsOf() did it when the event
-// happened. tools: number of tools.
+// Updates the memory from a recorded event, exactly as eventsOf() did when the event happened.
+// tools: number of tools.
 void remember(EventMemory& memory, const OperationEvent& event, std::size_t tools);
 
 }  // namespace resect

@@ -3,15 +3,15 @@
 //
 // The history keeps the inputs of every frame of every branch, and some states. To reach a moment,
 // the last state before this moment is restored, and the inputs after this state are played. One
-// state is kept per second, one at the start of each branch, and one shortly before each stroke (at
-// most kFramesBetween frames). A stroke is a period in which instruments work on organs
-// (strokes.h). If the states need more memory than allowed, some are dropped. The first to be
-// dropped is the state whose removal leaves the shortest gap. States of the present branch's last
-// minute are dropped last.
+// state is kept per second, one at the start of each branch, and one at most kFramesBetween frames
+// before each stroke. A stroke is a period in which instruments work on organs (strokes.h). If the
+// states need more memory than allowed, some are dropped. The first to be dropped is the state
+// whose removal leaves the shortest gap. States of the present branch's last minute are dropped
+// last.
 //
-// If the user goes back to an earlier moment and operates from there, a new branch begins. If the
-// moment is the end of its branch, no new branch begins: the old branch goes on. Undo and redo are
-// two ways to choose the moment to which the user goes.
+// If the user goes back to an earlier moment and operates from there, a new branch begins. But if
+// this moment is the end of its branch, no new branch begins: the old branch goes on. Undo and redo
+// are two ways to choose the moment to which the user goes.
 #pragma once
 
 #include <functional>
@@ -29,7 +29,7 @@ namespace resect {
 
 class OperationHistory {
  public:
-  // The data that are kept of one branch.
+  // The data that are kept for one branch.
   struct Course {
     Branch branch;
     // The inputs of the frames branch.from + 1, branch.from + 2, ... Consecutive equal inputs share
@@ -97,14 +97,15 @@ class OperationHistory {
   void undone(Moment from) { undone_.push_back(from); }
   void redone() { undone_.pop_back(); }
 
-  // Called while goTo() plays, after the first state and after each frame.
+  // Called while goTo() plays, after a state was restored and after each frame.
   using Shown = std::function<void()>;
-  // Brings the simulation to that moment. Throws Error if there is no such moment. Throws Cancelled
+  // Brings the simulation to `moment`. Throws Error if there is no such moment. Throws Cancelled
   // if a stop was requested (base/stop.h). After Cancelled the simulation is not at any moment of
   // the history; call goTo() or mend() before anything else.
   void goTo(Moment moment, Simulation& simulation, const Shown& shown = {});
   // Whether goTo() or playNext() was stopped or failed, so that the simulation is not at any moment
-  // of the history. mend() then brings it back to now(); otherwise mend() does nothing.
+  // of the history. If broken(), mend() brings the simulation back to now(). If not, mend() does
+  // nothing.
   bool broken() const { return broken_; }
   void mend(Simulation& simulation) {
     if (broken_) goTo(now_, simulation);

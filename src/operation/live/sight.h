@@ -1,5 +1,5 @@
-// Sight: whether the user sees the tip of an instrument in hand. The window sets it. Recordings
-// keep changes of sight as events, since a replay cannot compute them.
+// Sight: whether the user sees the tip of an instrument in hand. The window determines the sight.
+// Recordings keep its changes as events, since a replay cannot compute them.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,9 @@ inline bool isSight(const OperationEvent& event) {
 enum class Sight : std::uint8_t { Unknown, Seen, Unseen };
 
 // The events of a frame. A tool in hand whose sight is known gets an event if its sight has
-// changed, or if the tool was taken in this frame. sight: one entry per tool; if empty, the sight
-// of all tools is unknown. memory: the sight of each tool in the previous frame. It is empty at the
-// start of a branch, and it is updated by this function.
+// changed, or if the tool was taken up in this frame. sight: one entry per tool; if empty, the
+// sight of all tools is unknown. memory: the sight of each tool in the previous frame; empty at the
+// start of a branch. The function updates `memory`.
 std::vector<OperationEvent> sightEvents(std::span<const Sight> sight, const Simulation& simulation,
                                         std::vector<Sight>& memory);
 

@@ -3,8 +3,8 @@
 //
 // A stroke begins when an instrument in hand touches or cuts an organ. It ends when the hand lets
 // go (FrameInput::strokeEnds), when no instrument has touched an organ for kEndSeconds, or when all
-// instruments are put back. After the hand has let go, a tool takes part in a new stroke only if it
-// has been moved since. So a hook that was left holding tissue starts no stroke.
+// instruments are put back. After the hand has let go, a tool takes part in strokes again only when
+// it is moved. So a hook that was left holding tissue starts no stroke.
 #pragma once
 
 #include <cstdint>

@@ -46,7 +46,7 @@ class SurfacePublisher {
 
   float seenMotion_;
   bool begun_ = false;
-  bool heated_ = false;         // whether heat changed tissue at the last follow()
+  bool heated_ = false;         // whether heat had changed tissue at the last follow()
   bool wet_ = false;            // whether there was blood at the last follow()
   std::uint64_t followed_ = 0;  // SurfaceTracker::Changes::number at the last follow()
   std::shared_ptr<const VesselPicture> vessels_;  // made only once

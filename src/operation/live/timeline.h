@@ -1,8 +1,8 @@
 // An overview of an operation's history, for showing it to people.
 //
-// The way to the end of a branch consists of all frames that led there: the branch's own frames;
-// the frames of its parent up to the frame at which the branch begins; and so on, back to the start
-// of the operation.
+// The way to the end of a branch consists of all frames that led to this end: the branch's own
+// frames; the frames of its parent up to the frame at which the branch begins; and so on, back to
+// the start of the operation.
 #pragma once
 
 #include <vector>
@@ -24,7 +24,7 @@ struct Timeline {
   };
   std::vector<Course> courses;  // one per branch, by number
 
-  // The moment with that frame's number on the way to the end of `branch`.
+  // The moment at the end of frame `frame`, on the way to the end of `branch`.
   Moment momentOn(std::int64_t branch, std::int64_t frame) const;
   // Whether the moment is on the way to the end of `branch`.
   bool leadsTo(std::int64_t branch, Moment moment) const;

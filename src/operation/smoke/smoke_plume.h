@@ -13,7 +13,7 @@
 
 namespace resect {
 
-// Smoke of about a thirtieth of a second.
+// The smoke that arises within about 1/30 s.
 struct SmokePuff {
   Vec3 from = Vec3::Zero();  // where it began, world, m
   double began = 0;          // simulated time, s

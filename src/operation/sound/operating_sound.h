@@ -13,7 +13,7 @@ namespace resect {
 // What is heard at a moment.
 struct AudibleState {
   bool suction = false;      // a suction tube is in hand
-  bool cutting = false;      // a pencil cuts
+  bool cutting = false;      // an electrosurgical pencil cuts
   bool coagulating = false;  // a pencil or bipolar forceps coagulate
   bool aspirating = false;   // an ultrasonic aspirator takes tissue
   double heartRate = 0;      // beats per minute; 0: no monitor is heard

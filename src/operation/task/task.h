@@ -1,8 +1,8 @@
 // A task: what is to be done in a scenario, and what counts as done well, as plain data.
 //
 // Places are usually given in the organ's own coordinates, so that a task fits any organ that has
-// the landmarks and structures that the task names. io/scenario/task_reader.h reads a task;
-// docs/scenarios.md lists the keys.
+// the landmarks and structures that the task names. io/scenario/task_reader.h reads a task
+// from a file; docs/scenarios.md lists the keys in this file.
 #pragma once
 
 #include <array>
@@ -90,11 +90,11 @@ struct Task {
   // Further limits for each level. At its level, such a limit replaces the limit of the same
   // measure in `limits`.
   std::array<std::vector<TaskLimit>, 3> levels;
-  std::vector<TaskBand> bands;         // set by the task itself; see also `published`
-  double bandWidth = 2;                // largest deviation that passes, in standard deviations
-  int bandRuns = 0;                    // number of reference runs that gave `bands`
+  std::vector<TaskBand> bands;  // set by the task itself; see also `published`
+  double bandWidth = 2;         // largest allowed distance from the mean, in standard deviations
+  int bandRuns = 0;             // number of reference runs that gave `bands`
   std::vector<std::string> published;  // names of files in data/bands with published bands
-  // To pass, the goal must be reached, and the limits and bands of these measures must be kept.
+  // An attempt passes if it reaches the goal, and keeps the limits and bands of these measures.
   // Each measure is given by its `id`. {"all"}: every limit and band must be kept.
   std::vector<std::string> pass = {"all"};
   // The text, in TOML, from which the task was read. Recordings keep this text.
@@ -108,8 +108,8 @@ std::vector<TaskLimit> limitsAt(const Task& task, TaskLevel level);
 std::optional<double> mostOf(const Task& task, std::string_view measure);
 
 // The limit of force at the task's own level: a larger force counts as an error. It is the largest
-// allowed value of the measure force_peak_n. If that measure has no such value, the limit is
-// Task::forceLimit. There is no limit if the task has neither value.
+// allowed value of the measure force_peak_n. If that measure has no largest allowed value, the
+// limit is Task::forceLimit. If Task::forceLimit is not set either, there is no limit.
 struct ForceLimit {
   double force = 0;    // N
   std::string source;  // where the limit comes from, for people

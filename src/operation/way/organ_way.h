@@ -36,8 +36,8 @@ struct WayKey {
   // true, the organ's greatest height in its section at this x (OrganSection::tallest()).
   std::optional<double> depth;
   bool share = false;
-  // Both are added to the position at the end, along the axes of the world. offset: in m. cells: in
-  // sides of the organ's cells.
+  // Both are added to the position last, along the axes of the world. offset: in m. cells: in sides
+  // of the organ's cells.
   Vec3 offset = Vec3::Zero(), cells = Vec3::Zero();
 
   std::optional<Eigen::Quaterniond> rotation;  // in the world; none: as at the previous key

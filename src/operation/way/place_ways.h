@@ -35,9 +35,9 @@ void placeWays(Scenario& scenario, std::size_t organ, const LaidOrgan& laid);
 // Converts the ways on elastic organs again, after these organs have sunk under their own weight.
 // For this, frames are computed until the first tool comes below the top of its organ, but at most
 // for the time kSettling. Then placeWays() is called with the present surfaces of the elastic
-// organs. If these organs have more than kMostSettled particles together, nothing is done, since it
-// would take too long. simulation: made from the scenario, before its first frame. It is restored
-// to this state at the end. Cost: the cost of the computed frames.
+// organs. If these organs have more than kMostSettled particles together, nothing is done, since
+// the frames would take too long. simulation: made from the scenario, before its first frame. It is
+// restored to this state at the end. Cost: the cost of the computed frames.
 inline constexpr double kSettling = 1.5;             // s
 inline constexpr std::int64_t kMostSettled = 16000;  // particles of all elastic organs
 void settleWays(Scenario& scenario, Simulation& simulation);

@@ -20,8 +20,9 @@ namespace resect {
 // about half a microsecond.
 double builtinGallbladderDistance(const Vec3& p);
 
-// The gallbladder's surface: closed, oriented outwards, one piece of genus 0. `edge`, 0.0005 to
-// 0.0025 m, is the longest edge of most triangles; at 0.0015 m there are some 12 000 triangles.
+// The gallbladder's surface: closed, oriented outwards, one piece of genus 0. Most triangles have
+// no edge that is longer than `edge`, which is 0.0005 to 0.0025 m. At 1.5 mm there are some 12 000
+// triangles.
 TriangleMesh builtinGallbladder(double edge = 0.0015);
 
 }  // namespace resect

@@ -4,8 +4,9 @@
 // left lobe under a domed diaphragmatic face. Its visceral face is hollow, with the gallbladder
 // fossa, the umbilical fissure and the groove of the vena cava. Its inferior margin is sharp. The
 // formula blends ellipsoids that tools/fit_liver fitted to the liver of the Visible Human Male.
-// docs/methods/builtin_liver.md describes the fit and its error. The volume is about 1.6 l, with
-// its centre near the origin. Coordinates are in metres: Y up, +Z anterior, +X the patient's left.
+// docs/methods/builtin_liver.md describes the fit and its error. The volume is about 1.6 l. The
+// liver's centre is near the origin. Coordinates are in metres: Y up, +Z anterior, +X the patient's
+// left.
 #pragma once
 
 #include "anatomy/growth/vessel_growth.h"
@@ -25,8 +26,8 @@ TriangleMesh builtinLiver(double edge = 0.0025);
 
 // Input for growing the liver's vessels: the places where vessels enter and leave the liver, and
 // the random seed. The hilum, where the portal vein enters the liver, and the vena cava lie as in
-// the Visible Human Male. Five seeds were tried. The chosen seed is the one with which the hepatic
-// artery and the bile duct reach most terminals.
+// the Visible Human Male. Of five seeds, the chosen one lets the hepatic artery and the bile
+// duct reach the largest number of terminals (ends of the portal vein's branches).
 VesselGrowth builtinLiverVessels();
 
 }  // namespace resect

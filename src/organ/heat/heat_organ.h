@@ -15,8 +15,8 @@ void heatOrgan(OperatedOrgan& organ, std::span<const HeatSource> sources, double
 
 // Whether there is tissue, or the wall of a bare vessel, at a place in rest space.
 bool isTissue(const Organ& organ, const Vec3& place);
-// Share of coagulated tissue, 0 to 1, at a place in rest space. The place is inside tissue or on
-// its surface.
+// Share of coagulated tissue, 0 to 1, at a place in rest space. The place must be inside tissue or
+// on its surface.
 double coagulatedAt(const Organ& organ, const Vec3& place);
 
 // The material after heat has coagulated it: stiffer, harder to cut, and easier to tear. The

@@ -53,7 +53,7 @@ class TissueGrid {
 
 // Finds the owner of a grid node. The centre of each particle is a grid node, too. The owner is the
 // particle whose centre is reached from the node over the fewest edges; all these edges must be
-// whole. If several particles are at the same distance, the particle with the lowest index is the
+// whole. If several particles are equally near, the particle with the lowest index is the
 // owner. If no particle is within kFar edges, the result is -1.
 class NodeOwners {
  public:

@@ -27,9 +27,9 @@ struct TissueParts {
 };
 
 // The largest part of an organ is its body. Any other part is a piece if it has at least the volume
-// kPieceVolume, m^3, and also at least the volume of kPieceCells cells. So one or two large cells
-// are not a piece. A part is also a piece if it has at least the share kPieceShare of the organ's
-// volume. All other parts are debris.
+// kPieceVolume, m^3, and also at least the volume of kPieceCells cells. (Without the second
+// condition, one large cell could be a piece.) Any other part that has at least the share
+// kPieceShare of the organ's volume is a piece, too. All parts that remain are debris.
 inline constexpr double kPieceVolume = 0.5e-6, kPieceShare = 0.01;
 inline constexpr int kPieceCells = 4;
 // The least volume of a piece, m^3. organ, cell: volume of the organ and of a cell, m^3.

@@ -8,7 +8,7 @@
 
 namespace resect {
 
-// Thickness of a vessel's wall, m. It includes the sheath of connective tissue round portal triads
+// Thickness of a vessel's wall, m. It includes the sheath of connective tissue round a portal triad
 // (a branch of the portal vein with an artery and a bile duct). For a portal branch the thickness
 // is about a fifth of the radius; a hepatic vein has hardly any sheath (Gray's Anatomy, 41st ed.,
 // ch. 67). radius: of the lumen, m.

@@ -28,8 +28,8 @@ namespace resect {
 class SurfaceSkin {
  public:
   // Moves the vertices. Call after surface.update() and moveTissues() (tissue/move_tissues.h).
-  // changedCells: cells whose particles were removed since follow() was last called or, after a
-  // state was restored, came back. withLook: whether to compute normals too; surface.updateLook()
+  // changedCells: cells whose particles were removed since the last call of follow(), or came back
+  // because a state was restored. withLook: whether to compute normals too; surface.updateLook()
   // must then have been called before.
   void follow(const SurfaceTracker& surface, const Lattice& lattice, const TissueModel& tissue,
               std::span<const std::int64_t> changedCells, bool withLook);

@@ -25,7 +25,7 @@ void playMoments(Replay& replay, const ExportedPart& part, bool withLook,
                  const std::function<void(const Simulation&)>& visit, const Progress& progress,
                  const std::function<void(const StepReport&)>& each = {});
 
-// Whether playMoments() calls visit() at the end of that frame. frameRate: frames per simulated
+// Whether playMoments() calls visit() at the end of `frame`. frameRate: frames per simulated
 // second.
 bool isDue(std::int64_t frame, double frameRate, const ExportedPart& part);
 
