@@ -41,8 +41,9 @@ struct FrameInput {
   std::vector<ToolInput> tools;  // one per tool, in the order of Simulation::tools
   std::optional<float> iso;      // if given: new iso level, valid from this frame on
   // Edits from outside, such as those of a script. They are applied before the edits of the tools'
-  // working parts (tools/working_part.h). The working parts queue their edits first. So they take
-  // account of the edits from outside only from the next frame on.
+  // working parts (tools/working_part.h). The working parts queue their edits before any edit of
+  // the frame is applied. So they take account of the edits from outside only from the next frame
+  // on.
   std::vector<TissueEdit> edits;
   // Whether the user let go of the input device before this frame. This ends a stroke, a period in
   // which instruments work on organs (operation/live/strokes.h). No stage of the step reads this.
@@ -126,8 +127,8 @@ class Simulation {
   // A simulation of one organ. tissue: null for still tissue.
   Simulation(Organ organ, std::vector<std::unique_ptr<Tool>> tools,
              std::unique_ptr<TissueModel> tissue = nullptr, bool table = true);
-  // Sets what stands round the organs, in place of what stood there before: bodies that moving
-  // tissue cannot enter, and the table's edge. Without a call, there are no bodies, and the table
+  // Sets what stands round the organs: bodies that moving tissue cannot enter, and the table's
+  // edge. Replaces what an earlier call has set. Without a call, there are no bodies, and the table
   // has no end. Call before the first step. Has no effect if no tissue moves.
   void surround(Surroundings surroundings);
   const Surroundings& surroundings() const { return surroundings_; }
@@ -186,8 +187,9 @@ class Simulation {
   // per particle of still tissue, and the data of cuts. Cost: about one pass over the state.
   Bytes save() const;
   // Continues from a state that save() gave for the same organs and the same number of tools. From
-  // then on the same inputs give the same bits. Normals and cut shares are computed again. Throws
-  // Error, and changes nothing, if the state belongs to other organs or is damaged.
+  // then on the same inputs give the same bits as they gave after save(). Normals and cut shares
+  // are computed again. Throws Error, and changes nothing, if the state belongs to other organs or
+  // is damaged.
   void restore(std::span<const std::byte> state);
   // The state by its fields, for comparison (base/state/saved_state.h).
   SavedState fields() const { return saveState(*this, fingerprint()); }

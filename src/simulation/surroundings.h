@@ -1,4 +1,5 @@
-// What stands still round the organs and stops moving tissue.
+// What stands round the organs: rigid bodies, which moving tissue cannot enter, and the table's
+// edge.
 #pragma once
 
 #include <optional>

@@ -39,10 +39,10 @@ void requireIso(float iso);  // throws Error for a level out of this range
 
 class ColourField {
  public:
-  // The slot of a brick is the number under which its nodes are stored. These two values are the
-  // slots of bricks that are not stored. kEmpty: the field is 0 at all nodes of the brick. kFull:
-  // all nodes of the brick lie in solid tissue. The same holds for the planes of nodes just above
-  // the brick, which belong to the next bricks.
+  // The slot of a brick is the number under which its nodes are stored. A brick that is not stored
+  // has one of the following two values as its slot. kEmpty: the field is 0 at all nodes of the
+  // brick. kFull: all nodes of the brick lie in solid tissue. The same holds for the planes of
+  // nodes just above the brick, which belong to the next bricks.
   static constexpr std::int32_t kEmpty = -1;
   static constexpr std::int32_t kFull = -2;
 
@@ -113,8 +113,8 @@ class ColourField {
   bool edited(std::int64_t brick) const {
     return !originalOf_.empty() && originalOf_[brick] != kUnedited;
   }
-  // edited() of the brick, or of a brick above it. The upper grid cells of the brick also use nodes
-  // of the bricks above.
+  // Whether edited() holds for the brick or for a brick above it. The upper grid cells of the brick
+  // also use nodes of the bricks above.
   bool cellsEdited(std::int64_t brick) const;
   // The results that nodes() and node() had when the field was built, before any edit.
   const float* originalNodes(const Vec3i& brick) const {

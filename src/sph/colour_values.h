@@ -20,8 +20,8 @@ namespace resect {
 constexpr float kLevel = 100.f / 128;  // the colour value of one level
 constexpr std::uint8_t kFullLevel = 128;
 
-// Sets `level` to the level nearest to `value`, which is in [0, 100]. Returns false if the value is
-// no whole level.
+// Sets `level` to the level nearest to `value`, which is in [0, 100]. Returns false if `value` has
+// no level.
 inline bool toLevel(float value, std::uint8_t& level) {
   level = std::uint8_t(std::lround(value / kLevel));
   return float(level) * kLevel == value;
@@ -38,7 +38,7 @@ class ColourValues {
   float operator[](std::size_t cell) const {
     return areLevels() ? float(levels_[cell]) * kLevel : numbers_[cell];
   }
-  // value: in [0, 100]. The first value that is not a whole level costs a pass over all cells.
+  // value: in [0, 100]. The first value without a level costs a pass over all cells.
   void set(std::size_t cell, float value);
 
   bool areLevels() const { return numbers_.empty(); }

@@ -7,9 +7,9 @@
 namespace resect {
 
 // Hands out ranges of indices. Sizes are rounded up to multiples of 8, so that a range can take up
-// to 7 more elements without moving. take() gives the range of the rounded size that was released
-// last. If there is no such range, take() gives new indices at the end of the array. Each call
-// costs O(1). The same sequence of calls gives the same ranges.
+// to 7 more elements without moving. Among the released ranges of the rounded size, take() gives
+// the one that was released last. If there is none, take() gives new indices at the end of the
+// array. Each call costs O(1). The same sequence of calls gives the same ranges.
 class RangeAllocator {
  public:
   static constexpr std::int32_t kStep = 8;

@@ -49,7 +49,8 @@ class SurfaceTracker {
   // Meshes some bricks again. touched: the bricks that field.update() returned.
   void update(const ColourField& field, std::span<const std::int64_t> touched);
   // As above, for an organ with incisions. severed: the bricks that wound.severed.update()
-  // returned. Once a wound was given, all later calls need it too, until a state is restored.
+  // returned. After a call with a wound, all later calls need the wound too, until a state is
+  // restored.
   void update(const ColourField& field, std::span<const std::int64_t> touched, const Wound& wound,
               std::span<const TouchedBrick> severed);
   // As above, after a state was restored: every brick near the wound, and near the wound that the

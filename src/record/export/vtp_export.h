@@ -15,7 +15,7 @@ struct VtpSeries {
   NumberedOutputs files;
   std::filesystem::path list;
 };
-// option: name of the command-line option that gives the name, for messages.
+// option: the command-line option by which the user gave `name`, for messages.
 VtpSeries seriesOf(const std::filesystem::path& name, const std::string& option);
 
 // Writes one .vtp file for each moment, with the surfaces of all organs, and then the .pvd file.

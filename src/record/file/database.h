@@ -22,8 +22,8 @@ class Database {
   // Opens a database file that this program has written itself. If the file is empty or missing,
   // the database is empty. Fails if `path` is a symbolic link. name: the file's name in messages.
   Database(const std::filesystem::path& path, const std::string& name);
-  // Throws Error if there is a file at `path`, or a file with a name that SQLite would use beside
-  // it (`path` plus -wal, -shm or -journal), since SQLite would remove such a file.
+  // Throws Error if a file exists at `path`, or at `path` plus -wal, -shm or -journal. SQLite uses
+  // these three names for files beside the database, and would remove a file that has such a name.
   static void requireNothingAt(const std::filesystem::path& path);
   // Removes the files named `path` plus -wal, -shm or -journal. To be called before the database
   // file at `path` is replaced, since SQLite would take these files for files of the new database.

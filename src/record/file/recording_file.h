@@ -60,7 +60,9 @@ struct RecordedSample {
 struct RecordedLedger {
   struct Amount {
     std::int64_t organ = 0, label = 0;
-    std::string part;  // where the tissue is: before, body, piece, debris or removed (TissueSplit)
+    // Which tissue: "before", all tissue before the operation; or the tissue that is now "body",
+    // "piece", "debris" or "removed" (TissueSplit).
+    std::string part;
     // Number of the piece: 1 for the largest piece, 2 for the next, and so on. 0 for other parts.
     std::int64_t number = 0;
     std::int64_t particles = 0;
@@ -70,7 +72,8 @@ struct RecordedLedger {
   struct Wound {
     std::int64_t organ = 0, label = -1;  // -1: none
     // "cut" or "bared": `amount` is the area of cut faces, or of faces bared by removing tissue,
-    // cm^2. "margin": `amount` is the least distance of the structure from these faces, mm.
+    // cm^2. "margin": `amount` is the least distance of the structure `label` from any cut or bared
+    // face, mm.
     std::string kind;
     double amount = 0;
     bool operator==(const Wound&) const = default;
@@ -136,8 +139,8 @@ class RecordingFile {
   void add(const RecordedLedger& ledger);
   // Copies everything into an empty file and marks the copy as a finished recording. Must not be
   // called between begin() and commit(). name: the file's name in messages. moment: what moment()
-  // returns for the copy. A frame after the end of the branch is replaced by the branch's last
-  // frame.
+  // returns for the copy. If its frame is after the end of the branch, moment() returns the
+  // branch's last frame.
   void copyTo(const std::filesystem::path& path, const std::string& name,
               std::optional<Moment> moment);
   // Marks the recording as complete and merges the write-ahead log into the file.

@@ -2,8 +2,8 @@
 //
 // readAttempt() (skills/attempt/read_attempt.h) makes an Attempt by playing the recording: it
 // computes the recorded frames again. So an old recording can be scored again, even by measures
-// that did not exist when it was made. "At rest" and "in rest space" mean: in the positions before
-// any deformation.
+// that did not exist when the recording was made. "At rest" and "in rest space" mean: in the
+// positions before any deformation.
 #pragma once
 
 #include <optional>
@@ -51,8 +51,8 @@ struct VesselStory {
   double cut = 0;             // time of the first cut, s
   int tool = -1;              // number of the tool that made the first cut; -1: unknown
   bool before = false;        // whether it was cut before the operation began
-  // Whether the vessel was closed before the cut, on the side of the root of its tree of vessels
-  // and on the far side.
+  // Whether the vessel had been closed when it was cut. clippedRoot: on the side of the root of its
+  // tree of vessels. clippedFar: on the other side of the cut.
   bool clippedRoot = false, clippedFar = false;
   bool severed = false;
   // Time since which all its cut ends have been closed by clips or heat, s; none: an end is open.
@@ -72,7 +72,8 @@ struct ClipPlaced {
 struct TissueMoment {
   double time = 0;  // s
   // Volumes, m^3, summed over all organs. body: the largest part of each organ. pieces: parts that
-  // came off. removed: destroyed tissue, and debris: parts that are too small to be a piece.
+  // came off. removed: destroyed tissue, together with debris, the parts that are too small to be a
+  // piece.
   double body = 0, pieces = 0, removed = 0;
   double cut = 0;  // area cut or torn, m^2
 };
@@ -133,8 +134,9 @@ struct Attempt {
   // that were cut or lost tissue.
   bool otherStructures = false;
   std::vector<std::string> hurt;
-  std::int64_t torn = 0;         // number of torn bonds
-  double targetBefore = 0;       // volume of the goal's structure before, m^3
+  std::int64_t torn = 0;  // number of torn bonds
+  // Volume of the goal's structure before the operation, m^3.
+  double targetBefore = 0;
   std::optional<double> margin;  // margin of the goal's structure, m; none if nothing was cut
   // margins: points of faces that were cut, or bared by removing tissue, and that are nearer to the
   // goal's structure than 2.5 times TaskGoal::margin. targetMiddle: mean of the structure's cell

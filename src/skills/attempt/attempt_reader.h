@@ -15,7 +15,7 @@ namespace resect {
 
 class AttemptReader {
  public:
-  // simulation: its state before the operation. attempt: must outlive this object; if there is a
+  // simulation: in its state before the operation. attempt: must outlive this object; if there is a
   // task, attempt.task must be set already. Throws Error if the organ lacks what the task names.
   AttemptReader(Attempt& attempt, const Scenario& scenario, const Simulation& simulation);
 
@@ -28,8 +28,8 @@ class AttemptReader {
   // Finds the places where the cuts came near the goal's structure (Attempt::margins). Cost: up to
   // a second.
   void measureMargins(const Simulation& simulation);
-  // To be called when the work is over: forgets all but the first `frames` frames. In the forgotten
-  // frames no instrument was in hand. simulation: its present state.
+  // To be called when the work is over: forgets all but the first `frames` frames. No instrument
+  // may have been in hand in the forgotten frames. simulation: in its present state.
   void endAt(std::size_t frames, const Simulation& simulation);
   // To be called when work is taken back: forgets all but the first `frames` frames. The number of
   // torn bonds and the time of occluded inflow are not changed: they still include the work that

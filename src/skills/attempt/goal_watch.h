@@ -12,7 +12,7 @@ namespace resect {
 
 class GoalWatch {
  public:
-  // simulation: its state before the operation. Throws Error if the organ lacks what the goal
+  // simulation: in its state before the operation. Throws Error if the organ lacks what the goal
   // names.
   GoalWatch(const TaskGoal& goal, const Scenario& scenario, const Simulation& simulation);
   // To be called after each step, when the frame's ToolMoments are in the attempt.

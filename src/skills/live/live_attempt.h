@@ -22,8 +22,8 @@ struct AttemptProgress {
   bool reached = false;  // whether the goal is reached
   double since = 0;      // when the goal was reached, s since the start; 0: not reached
   std::string next;      // what to do next, a sentence
-  // Time from the first bleeding until now, or until it was stopped if that is the task's goal, s;
-  // none: nothing has bled.
+  // Time from the first bleeding until now, s; if the task's goal is to stop the bleeding, only
+  // until the bleeding was stopped. None: nothing has bled.
   std::optional<double> bleeding;
   double rested = 0;       // s since an instrument was last in hand
   std::size_t target = 0;  // number of the next target, from 0
@@ -38,7 +38,7 @@ struct AttemptProgress {
 
 class LiveAttempt : public std::enable_shared_from_this<LiveAttempt> {
  public:
-  // scenario: has a task. simulation: its state before the operation. Throws Error if the organ
+  // scenario: has a task. simulation: in its state before the operation. Throws Error if the organ
   // lacks what the task names.
   LiveAttempt(const Scenario& scenario, const Simulation& simulation);
 
@@ -49,9 +49,9 @@ class LiveAttempt : public std::enable_shared_from_this<LiveAttempt> {
   AttemptProgress progress() const;
   // The attempt up to a frame, as readAttempt() would make it from the recording, with one
   // difference: VesselStory::bled has the present values. After this call the operation is not
-  // followed any more. frames: number of frames since the start that belong to the attempt. In
-  // later frames no instrument was in hand. simulation: of the operation; it must not step during
-  // the call. No result if work was taken back. Cost: up to a second
+  // followed any more. frames: number of frames since the start that belong to the attempt. No
+  // instrument may have been in hand in later frames. simulation: that of the operation; it must
+  // not step during the call. No result if work was taken back. Cost: up to a second
   // (AttemptReader::measureMargins()).
   std::optional<Attempt> end(std::int64_t frames, const Simulation& simulation);
 
@@ -66,7 +66,7 @@ class LiveAttempt : public std::enable_shared_from_this<LiveAttempt> {
   std::size_t organ_ = 0;
   std::vector<std::int64_t> structure_;  // cells of the goal's structure
   std::int64_t every_;                  // number of frames from one update of progress_ to the next
-  std::vector<OperationEvent> events_;  // tips in and out of the picture, instruments put back
+  std::vector<OperationEvent> events_;  // a tip enters or leaves the picture, a tool is put back
   bool ended_ = false;                  // by end()
   std::int64_t branch_ = 0;             // number of the branch that is followed
   bool lost_ = false;                   // whether the operation went on in another branch

@@ -1,5 +1,5 @@
 // The track of an instrument: its positions at equal intervals of time, during one period in which
-// it was in hand or hovered. One of these positions is a sample.
+// it was in hand or hovered. Each of these positions is a sample.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -24,7 +24,8 @@ bool addsUp(std::string_view measure);
 
 // Sentences about what was good: the goal, if it was reached; the checks that were kept; and that
 // no work was taken back, if the task allows no undo. If the goal was not reached, measures that
-// add up (addsUp()) are left out. If, in addition, no instrument was at work, there is no praise.
+// add up (addsUp()) are left out. If the goal was not reached and no instrument was at work, there
+// is no praise.
 std::vector<std::string> praise(const Attempt& attempt, const GoalResult& goal,
                                 const std::vector<Check>& checks);
 

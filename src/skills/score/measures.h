@@ -18,7 +18,7 @@ struct Measured {
   double value = 0;        // in the measure's unit
 };
 
-// Vessels with a smaller diameter are not counted by the measures of vessels; a setting of ours.
+// Measures of vessels count only vessels with at least this diameter; a setting of ours.
 inline constexpr double kNotableVessel = 0.002;  // m
 
 // A vessel that was cut before the operation began counts as open only if it has lost more blood
