@@ -13,7 +13,7 @@ namespace resect {
 
 // How the patient breathes.
 struct Breathing {
-  double depth = 0;       // displacement of the diaphragm at the end of inhalation, m; 0: still
+  double depth = 0;       // diaphragm's displacement at the end of inhalation, m; 0: no motion
   double perMinute = 12;  // breaths per minute
   // Motion of the table divided by the motion of the diaphragm, 0 to 1. The table stands for the
   // organs under the liver, which move less than the diaphragm.
@@ -30,7 +30,7 @@ struct Breathing {
 struct Breath {
   double phase = 0;  // 0 to below 1
   // True: the patient breathes. False: the patient finishes the breath that has begun, and then
-  // does not move.
+  // stops breathing.
   bool on = true;
 
   template <class Visitor>

@@ -8,8 +8,8 @@
 // points. The piece of the edge between the cut and the surface has no grid node of its own. It is
 // assigned to an inside node that can be reached from the edge's outside end over whole edges
 // outside the tissue. If there are several such nodes, the node nearest to that end is chosen. If
-// this piece were left out, lips would have notches of up to one cell. In three cases such an edge
-// gives only the point at the iso level:
+// such pieces were left out, the two sides of a cut would have notches of up to one cell. In three
+// cases such an edge gives only the point at the iso level:
 // - The piece is at most 0.04 of the edge long.
 // - No such inside node is found.
 // - A face beside the edge is ambiguous: its corners are alternately inside and outside.
