@@ -1,10 +1,11 @@
 // Breathing: the motion of the diaphragm. It moves the ligaments from which organs hang, and the
 // surface on which organs lie.
 //
-// A breath leads from the end of an exhalation (phase 0) to the end of the next one (phase 1). The
-// diaphragm's displacement is depth * sin^4(pi * phase), towards the patient's feet (+Z). Most of a
-// breath is thus spent near the end of exhalation, as in patients. The waveform is that of Lujan,
-// Larsen, Balter and Ten Haken, Med. Phys. 26, 715 (1999), doi.org/10.1118/1.598577, with n = 2.
+// A breath leads from the end of an exhalation (phase 0) to the end of the next exhalation (phase
+// 1). The diaphragm's displacement is depth * sin^4(pi * phase), towards the patient's feet (+Z).
+// Most of a breath is thus spent near the end of exhalation, as in patients. The waveform is that
+// of Lujan, Larsen, Balter and Ten Haken, Med. Phys. 26, 715 (1999), doi.org/10.1118/1.598577, with
+// n = 2.
 #pragma once
 
 #include "base/vec.h"

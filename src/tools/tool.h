@@ -13,7 +13,7 @@
 
 namespace resect {
 
-// Two blades that rotate against each other about a pivot. Coordinates are in the tool's frame.
+// Two blades that rotate relative to each other about a pivot. Coordinates are in the tool's frame.
 struct Jaws {
   Vec3 pivot = Vec3::Zero();  // m
   Vec3 axis = Vec3::UnitX();  // unit

@@ -91,7 +91,7 @@ class SeveredEdges {
   // surface is the same as that of an uncut organ.
   bool near(std::int64_t brick) const { return !near_.empty() && near_[std::size_t(brick)] != 0; }
 
-  // The bricks whose surface has to be computed again, since an edge was severed or a trace was
+  // The bricks whose surface has to be computed again, because an edge was severed or a trace was
   // recorded in or near the brick after the last update(). Each brick is listed once, in ascending
   // order. Bricks for which near() is false are left out. The span is valid until the next call.
   std::span<const TouchedBrick> update();

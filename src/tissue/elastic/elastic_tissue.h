@@ -213,7 +213,7 @@ class ElasticTissue final : public TissueModel {
   std::vector<std::int32_t> bondsChanged_, holdsChanged_;  // cells that settle() will update
   TissueContacts contacts_;
   Frame frame_;
-  std::optional<BreathMotion> holdsMove_;  // of the present frame; none: no motion
+  std::optional<BreathMotion> holdsMove_;  // of attachments in this frame; none: no motion
   Before before_;
   FloatArray kept_;  // u, v and the branches of all chunks at the beginning of the frame
 };
