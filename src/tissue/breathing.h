@@ -1,10 +1,11 @@
 // Breathing: the motion of the diaphragm. It moves the ligaments from which organs hang, and the
 // surface on which organs lie.
 //
-// A breath leads from the end of an exhalation (phase 0) to the end of the next one (phase 1). The
-// diaphragm's displacement is depth * sin^4(pi * phase), towards the patient's feet (+Z). Most of a
-// breath is thus spent near the end of exhalation, as in patients. The waveform is that of Lujan,
-// Larsen, Balter and Ten Haken, Med. Phys. 26, 715 (1999), doi.org/10.1118/1.598577, with n = 2.
+// A breath leads from the end of an exhalation (phase 0) to the end of the next exhalation (phase
+// 1). The diaphragm's displacement is depth * sin^4(pi * phase), towards the patient's feet (+Z).
+// Most of a breath is thus spent near the end of exhalation, as in patients. The waveform is that
+// of Lujan, Larsen, Balter and Ten Haken, Med. Phys. 26, 715 (1999), doi.org/10.1118/1.598577, with
+// n = 2.
 #pragma once
 
 #include "base/vec.h"
@@ -13,7 +14,7 @@ namespace resect {
 
 // How the patient breathes.
 struct Breathing {
-  double depth = 0;       // displacement of the diaphragm at the end of inhalation, m; 0: still
+  double depth = 0;       // diaphragm's displacement at the end of inhalation, m; 0: no motion
   double perMinute = 12;  // breaths per minute
   // Motion of the table divided by the motion of the diaphragm, 0 to 1. The table stands for the
   // organs under the liver, which move less than the diaphragm.
@@ -30,7 +31,7 @@ struct Breathing {
 struct Breath {
   double phase = 0;  // 0 to below 1
   // True: the patient breathes. False: the patient finishes the breath that has begun, and then
-  // does not move.
+  // stops breathing.
   bool on = true;
 
   template <class Visitor>

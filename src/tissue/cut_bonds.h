@@ -1,5 +1,5 @@
-// Finds the bonds that a cut severs. A bond connects two neighbouring cells of tissue; in rest
-// space it is the line segment between the centres of the two cells.
+// Finds the bonds that a cut severs. A bond connects two neighbouring cells of tissue. In rest
+// space, the bond is the line segment between the centres of the two cells.
 #pragma once
 
 #include <vector>

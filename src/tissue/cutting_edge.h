@@ -19,8 +19,8 @@ struct CuttingEdge {
   // Whether the surface of the cut is built with the points in reverse order. Of the two edges of
   // scissors, one needs this, so that the normals of both cuts are on the same side.
   bool reversed = false;
-  // False if the edge begins no new cut, for example because its jaws are not closing. Such an edge
-  // may continue a cut in elastic tissue. It does not cut tissue that never moves
+  // False if the edge begins no new cut, for example because the scissors are not closing. Such an
+  // edge may continue a cut in elastic tissue. It does not cut tissue that never moves
   // (tissue/still_tissue.h).
   bool begins = true;
 };

@@ -25,14 +25,14 @@ struct Obstacle {
   double friction = 0.3;  // Coulomb's coefficient
   double slipForce = 0;   // force at which a tool releases all cells that it grips, N; 0: never
   std::span<const CuttingEdge> edges{};  // cutting edges of the instrument; empty: it does not cut
-  // Half the width (along x) and half the depth (along z) of a half space, from its origin to its
-  // border, m. If both are finite, the obstacle is a block without a bottom.
+  // For a half space: distance of its borders from its origin along x (halfWidth) and along z
+  // (halfDepth), m. If both are finite, the obstacle is a block without a bottom.
   double halfWidth = kEndless, halfDepth = kEndless;
   static constexpr double kEndless = std::numeric_limits<double>::infinity();
 };
 
-// The table's top at y = 0. from, to: how far it is displaced at the start and at the end of the
-// frame, m.
+// The table's top, which lies at y = 0 if it is not displaced. from, to: the displacement at the
+// start and at the end of the frame, m.
 inline Obstacle tableTop(const Vec3& from = Vec3::Zero(), const Vec3& to = Vec3::Zero()) {
   Obstacle table;
   table.halfSpace = true;
@@ -41,7 +41,7 @@ inline Obstacle tableTop(const Vec3& from = Vec3::Zero(), const Vec3& to = Vec3:
   return table;
 }
 
-// A body that stands still, such as the walls of the tool box.
+// An obstacle that does not move, such as the walls of the tool box.
 inline Obstacle standing(const SignedDistance& shape, const Pose& pose) {
   Obstacle body;
   body.shape = &shape;

@@ -1,7 +1,7 @@
-// Tissue that never moves, as in the program of the original thesis. It takes one byte of memory
-// per cell.
+// Tissue that never moves, as in the program of the diploma thesis that Resect continues. Still
+// tissue takes one byte of memory per cell.
 //
-// Edits apply to still tissue as to any tissue: cells can be removed, bonds can be severed, and
+// The same edits as in moving tissue are possible: cells can be removed, bonds can be severed, and
 // tools can grip cells. A cutting edge meets no resistance: it cuts wherever it passes.
 #pragma once
 

@@ -137,8 +137,8 @@ class TissueModel {
 
   // Visits the state, field by field (base/state/state_visitor.h). To load a state, call
   // beginRestore(), then visit() with a visitor that loads, then endRestore(). endRestore()
-  // computes the derived data. It throws Error if the loaded fields do not fit this tissue. Then
-  // the tissue is unusable until another state is loaded.
+  // computes the derived data. It throws Error if the loaded fields do not fit this tissue. After
+  // this error the tissue is unusable until another state is loaded.
   virtual void visit(StateVisitor& visitor) = 0;
   virtual void visitMade(StateVisitor& visitor) = 0;
   virtual void beginRestore() = 0;

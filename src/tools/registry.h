@@ -1,4 +1,5 @@
-// The kinds of instrument and of working part, and how an instrument is made.
+// The kinds of instrument and of working part (a part of an instrument that acts on tissue), and
+// how an instrument is made.
 #pragma once
 
 #include <memory>

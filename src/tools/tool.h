@@ -13,7 +13,7 @@
 
 namespace resect {
 
-// Two blades that rotate against each other about a pivot. Coordinates are in the tool's frame.
+// Two blades that rotate relative to each other about a pivot. Coordinates are in the tool's frame.
 struct Jaws {
   Vec3 pivot = Vec3::Zero();  // m
   Vec3 axis = Vec3::UnitX();  // unit
@@ -63,13 +63,13 @@ struct ToolModel {
   Vec3 point = Vec3::Zero();     // end of the hook
   double contactRadius = 0;      // radius of a round tip; 0: the tool has none
   // Empty: the tool's working parts act. "remove": the tool removes what it touches, as all
-  // instruments of the thesis did.
+  // instruments did in the diploma thesis that Resect continues.
   std::string response;
   double friction = 0.3;  // Coulomb's coefficient, on tissue
   // Energy that a cut with the tool's edges takes, divided by the energy that a cut with a new
   // blade takes; 0 or more.
   double bluntness = 1;
-  double slipForce = 6.0;  // force at which a hook or forceps release their cells, N; 0: never
+  double slipForce = 6.0;  // force at which gripped cells are released, N; 0: never
 };
 
 struct Tool {

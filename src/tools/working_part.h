@@ -1,7 +1,7 @@
 // Interface of working parts. A working part is the part of an instrument that acts on tissue. It
-// finds tissue and requests edits of this tissue, or it has edges that cut. It does not change
-// tissue itself, and need not know whether the tissue moves. The working parts that come with
-// Resect are in tools/parts/.
+// finds tissue and requests edits of this tissue, or it has edges that cut. A working part does not
+// change tissue itself, and need not know whether the tissue moves. The working parts that come
+// with Resect are in tools/parts/.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +37,7 @@ struct ToolWay {
   }
 };
 
-// The contact between one tool and one organ in one frame.
+// The contact between one tool and one organ in one frame. Particles are cells of tissue.
 struct ToolContacts {
   std::int32_t tool = -1, organ = -1;  // numbers of tool and organ in the simulation
   std::vector<std::int64_t> cells;     // particles inside the volume that the tool swept, ascending

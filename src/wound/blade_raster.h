@@ -1,12 +1,12 @@
-// Severs the grid edges that a blade crosses, and records the blade's traces: the lines in which it
-// crosses the faces of the grid. The grid is that of the colour field. Both blade and grid are in
-// rest space.
+// Severs the grid edges that a blade crosses, and records the blade's traces: the lines in which
+// the blade crosses the faces of the grid. The grid is that of the colour field. Both blade and
+// grid are in rest space.
 //
-// The sweep of the blade is the surface over which its edge has moved, as triangles. The grid edges
-// are tested against these triangles. The test is exact, and the same as for bonds between
-// particles (collision/swept_blade.h). Triangles include their borders. A node on the plane of a
-// triangle counts as above this plane. Bricks are blocks of 4 x 4 x 4 nodes. Cost: some
-// microseconds for each pair of a brick and a triangle that meet each other.
+// The sweep of the blade is the surface over which the blade's edge has moved, as triangles. The
+// grid edges are tested against these triangles. The test is exact, and the same as for bonds
+// between particles, the cells of tissue (collision/swept_blade.h). Triangles include their
+// borders. A node on the plane of a triangle counts as above this plane. Bricks are blocks of 4 x 4
+// x 4 nodes. Cost: some microseconds for each pair of a brick and a triangle that meet each other.
 #pragma once
 
 #include "collision/swept_blade.h"
@@ -18,9 +18,9 @@ namespace resect {
 // How many cuts there may be between two neighbouring lattice cells. A grid line that leads from
 // one cell towards the other has a stretch between the mid-planes of the two cells (the planes
 // through their centres). With several nodes per cell, this stretch consists of several grid edges.
-// Any: all edges of a stretch may be severed. One: at most one edge of a stretch may be severed.
-// Moving tissue needs One, since tissue between two cuts in one stretch would have no particle to
-// follow.
+// Any: several edges of a stretch may be severed. One: at most one edge of a stretch may be
+// severed. Moving tissue needs One, since tissue between two cuts in one stretch would have no
+// particle to follow.
 enum class CutsBetweenCells { Any, One };
 
 // Severs edges in all bricks of the field in which the blade can meet tissue. Returns the number of

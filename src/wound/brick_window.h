@@ -11,8 +11,8 @@ namespace resect {
 
 // A brick with its halo: the nodes -2 to 6 along each axis, counted from the brick's first node,
 // with their field values and the severed edges between them. Outside the colour field's grid, the
-// values are 0 and the edges are whole. Not copyable, since `grid` points to the other members.
-// Cost to make: some microseconds.
+// values are 0 and the edges are whole (not severed). Not copyable, since `grid` points to the
+// other members. Cost to make: some microseconds.
 struct BrickWindow {
   static constexpr int kHalo = 2, kSide = 9, kNodes = kSide * kSide * kSide;
 

@@ -32,13 +32,13 @@ struct FaceTrace {
 
 struct TouchedBrick {
   std::int64_t brick;
-  bool within;  // true: the change is in the brick's own cells; false: only near these
+  bool within;  // true: the change is in the brick's own cells; false: only near them
 };
 
 class SeveredEdges {
  public:
-  // brickDims: number of bricks along each axis. refine: number of nodes per lattice cell along
-  // each axis.
+  // brickDims: number of bricks along each axis. refine: number of nodes per lattice cell (cell of
+  // tissue) along each axis.
   SeveredEdges(const Vec3i& brickDims, int refine) : brickDims_(brickDims), refine_(refine) {}
 
   bool empty() const { return records_.empty(); }
@@ -87,11 +87,11 @@ class SeveredEdges {
   }
   // A lattice cube has the centres of 2 x 2 x 2 neighbouring lattice cells as corners. near() is
   // true if a blade severed an edge or left a trace in a lattice cube that contains a grid cell of
-  // the brick. It may also be true for other bricks round the blade. Where near() is false, the
+  // the brick. near() may also be true for other bricks round the blade. Where near() is false, the
   // surface is the same as that of an uncut organ.
   bool near(std::int64_t brick) const { return !near_.empty() && near_[std::size_t(brick)] != 0; }
 
-  // The bricks whose surface has to be computed again, since an edge was severed or a trace was
+  // The bricks whose surface has to be computed again, because an edge was severed or a trace was
   // recorded in or near the brick after the last update(). Each brick is listed once, in ascending
   // order. Bricks for which near() is false are left out. The span is valid until the next call.
   std::span<const TouchedBrick> update();

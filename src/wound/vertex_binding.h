@@ -1,4 +1,4 @@
-// Bindings: the particles that a vertex near a wound follows, with their weights.
+// Bindings: the particles (cells of tissue) that a vertex near a wound follows, with their weights.
 //
 // A lattice cube has the centres of eight neighbouring cells as its corners. A vertex near a wound
 // follows particles at the corners of the lattice cube that contains the vertex. (Vertices far from

@@ -6,8 +6,8 @@
 // loop is capped by fans of triangles. The part of the loop that is skin gets a fan round an apex
 // on the skin. The rest of the loop gets a fan round an inner apex; in simple cells, one of the
 // loop's own vertices is the apex instead. All loops of the cell have the same inner apex, so the
-// two lips of a cut coincide. The apex on the skin is placed so that the tissue in the cell has the
-// same volume as it would have with the triangles of the table. Cost: 1 to 2 us per cell.
+// two lips (sides) of a cut coincide. The apex on the skin is placed so that the tissue in the cell
+// has the same volume as it would have with the triangles of the table. Cost: 1 to 2 us per cell.
 #pragma once
 
 #include <span>

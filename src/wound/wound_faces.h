@@ -35,7 +35,7 @@ struct FaceLine {
   // face's axis points, tissue lies to the left of the line.
   std::uint8_t end = 0, start = 0;
   bool bent = false;      // whether the line has a vertex at the face's point
-  NearbyNodes anchors{};  // of the line's vertex (wound/vertex_binding.h), from the face's node
+  NearbyNodes anchors{};  // of the line's vertex (wound/vertex_binding.h), around the face's node
 };
 
 struct FaceLines {
@@ -75,9 +75,9 @@ inline RingEdge ringEdge(int axis, int i) {
 //   node on every side.
 bool skinHolds(const CutGrid& grid, int i, int axis);
 
-// The lines of the face at node i. holds() must return the result of skinHolds(). It is called only
-// if the lines depend on its result. In tests, holds() may return either value, since the surface
-// is closed with both values.
+// The lines of the face at node i. holds() must return the result of skinHolds(). holds() is called
+// only if the lines depend on this result. In tests, holds() may return either value, since the
+// surface is closed with both values.
 template <typename Holds>
 FaceLines faceLines(const CutGrid& grid, int i, int axis, const Holds& holds);
 FaceLines faceLines(const CutGrid& grid, int i, int axis);

@@ -13,7 +13,7 @@
 namespace resect {
 
 // Number of a vertex of a cell. There are three kinds:
-// - one of the cell's 36 edge points: 3 * cell edge + EdgeNode;
+// - one of the cell's 36 edge points: 3 * (number of the cell edge) + EdgeNode;
 // - a vertex at a face's point: faceVertex(face, number). The face is 2 * axis + side; `number`
 //   counts the bent lines of that face;
 // - one of the cell's own points: from kFirstCellVertex on.

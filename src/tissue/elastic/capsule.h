@@ -22,10 +22,11 @@
 namespace resect {
 
 // Sets the normal and the area of each cell's skin from the cell's patches, which are small pieces
-// of the skin. Each patch contributes the tensor area * n n^T, where n is its normal. So where
-// tissue is thin, both of its faces count, although their normals are opposite. patches: ascending
-// by cell. A cell that is bonded to all its 26 neighbours gets no skin. Does nothing if no material
-// has a capsule.
+// of the skin. The tensors area * n n^T of these patches are added, where n is a patch's normal.
+// The skin's area is the largest eigenvalue of the sum; the skin's normal is the eigenvector of
+// this eigenvalue. So in thin tissue the skin on both sides counts, although the normals are
+// opposite. patches: ascending by cell. A cell that is bonded to all its 26 neighbours gets no
+// skin. Does nothing if no material has a capsule.
 void setSkin(ElasticState& state, std::span<const SurfacePatch> patches);
 
 // Updates ElasticState::capsule of the cells from their material, their bonds, and

@@ -29,8 +29,8 @@ void allocateBranches(ElasticState& s);
 
 // Throws Error if a value of the material is out of range.
 void checkMaterial(const TissueMaterial& material);
-// Returns the material's index in s.materials; a new material is appended. Throws Error if there
-// are 256 materials already.
+// Returns the material's index in s.materials. A material that is not yet there is appended. Throws
+// Error if there are 256 materials already.
 std::uint8_t materialNumber(ElasticState& s, const TissueMaterial& material);
 // Computes masses, stiffnesses and plane weights of these cells. Call after `solid` or `material`
 // of these cells was changed. Call refreshCells() next. Cells that are not solid lose their motion

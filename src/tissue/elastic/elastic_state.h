@@ -1,13 +1,15 @@
-// The state of elastic tissue between two substeps, as arrays over the cells of a box with a halo.
+// The state of elastic tissue between two substeps, as arrays over the cells of a box with a halo,
+// a border of empty cells.
 //
 // Memory per cell of the box: 4 * (3 * 4 + 9 + 6 + 3 * 3 + 6) + 5 = 173 bytes. If a material has n
 // Maxwell branches, 4 * (7 + 8 n) bytes are added. With a capsule, 20 bytes are added, or 48 if
 // there are no branches. Lengths are in m, masses in kg; but offsets to neighbours are in spacings.
 // The symbols A_i, q_i and M_i are those of docs/methods/tissue.md. L_i is the inverse of M_i. S_i
 // is the sum over the bonded neighbours j of w_ij X_ij, where X_ij is the offset at rest. The
-// symbol w without indices is the weight of an edge neighbour, which shares an edge with the cell
-// (bondWeights()). beta is TissueSettings::damping. The passes form sums in which weights are in
-// units of w and offsets in spacings. The arrays contain the missing factors w and 1 / spacing.
+// symbol w without indices is the weight of an edge neighbour, a neighbour that shares an edge with
+// the cell (bondWeights()). beta is TissueSettings::damping. The loops over the cells
+// (kernel/elastic_kernel.h) form sums in which weights are in units of w and offsets in spacings.
+// The arrays contain the missing factors w and 1 / spacing.
 #pragma once
 
 #include <array>
@@ -74,9 +76,9 @@ struct ElasticState {
   std::array<FloatArray, kMostBranches> branchVolume;  // modulus of branch k times V, J
   std::array<FloatArray, kMostBranches> branchRate;    // 1 / relaxation time, 1/s
   // These arrays are empty if no material has a capsule. capsule: Young's modulus times thickness
-  // times area of the cell's capsule, J. The area is limited so that substeps stay stable. 0 if the
-  // cell has no capsule or its capsule is torn. skinArea: area of the cell's skin, m^2. skinNormal:
-  // normal of this skin, unit.
+  // times area of the cell's capsule, J. The area is limited so that substeps stay stable.
+  // `capsule` is 0 if the cell has no capsule or its capsule is torn. skinArea: area of the cell's
+  // skin, m^2. skinNormal: normal of this skin, unit.
   FloatArray capsule, skinArea;
   std::array<FloatArray, 3> skinNormal;
   FloatArray kappa;                            // alpha mu V, J; 0 for a cell without a gradient

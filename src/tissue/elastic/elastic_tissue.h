@@ -27,8 +27,8 @@
 
 namespace resect {
 
-// How many times the substep may be halved. Tissue explodes when its time integration becomes
-// unstable. If it still explodes with the shortest substep, it is stopped.
+// How many times the substep may be halved. Tissue "explodes" when its time integration becomes
+// unstable. Tissue that explodes even with the shortest substep is stopped.
 inline constexpr int kMostHalvings = 6;
 // How many times the substep may be divided by 1.26 for stiff cells.
 inline constexpr int kMostFineness = 3;
@@ -110,7 +110,7 @@ class ElasticTissue final : public TissueModel {
   // Prescribes the velocity of the cell, m/s, along some axes. axes: bits of HeldAxis. If `axes` is
   // 0, the cell is released. moveHolds() replaces the prescribed velocities of all held cells.
   void hold(std::int64_t cell, int axes, const Vec3& velocity = Vec3::Zero());
-  // Sets the external force on the cell, N. It acts until it is set again.
+  // Sets the external force on the cell, N. The force acts until it is set again.
   void setLoad(std::int64_t cell, const Vec3& force);
   void setDisplacement(std::int64_t cell, const Vec3& u);
   void setVelocity(std::int64_t cell, const Vec3& v);
@@ -158,7 +158,7 @@ class ElasticTissue final : public TissueModel {
     double duration = 0;
     std::span<const Obstacle> obstacles;
     SubstepConstants constants;
-    StiffCells stiff;  // result of the last count
+    StiffCells stiff;  // result of the last count of stiff cells
     std::int32_t substeps = 0, retries = 0;
     bool calm = true;
   };
@@ -213,7 +213,7 @@ class ElasticTissue final : public TissueModel {
   std::vector<std::int32_t> bondsChanged_, holdsChanged_;  // cells that settle() will update
   TissueContacts contacts_;
   Frame frame_;
-  std::optional<BreathMotion> holdsMove_;  // of the present frame; none: the holds stand still
+  std::optional<BreathMotion> holdsMove_;  // of attachments in this frame; none: no motion
   Before before_;
   FloatArray kept_;  // u, v and the branches of all chunks at the beginning of the frame
 };

@@ -35,7 +35,8 @@ class ChunkGradients {
 };
 
 // Elastic energy per volume at rest, J/m^3, that the cell has with the deformation gradient f. It
-// is the sum of heldEnergy() and of the energy of the Maxwell branches in their present state.
+// is the sum of heldEnergy() (tissue/material.h) and of the energy of the Maxwell branches in their
+// present state.
 double freeEnergy(const ElasticState& state, std::int32_t cell, const Mat3& f);
 
 // cof F, the cofactor matrix of F. It maps area vectors at rest to present area vectors.

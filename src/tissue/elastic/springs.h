@@ -1,7 +1,7 @@
 // Springs on single cells, for ligaments and for the grips of tools.
 //
 // Each spring is damped and leads from a cell to an anchor. For a grip, the anchor is fixed in the
-// tool's coordinates. For a ligament, it is fixed in the world, or moves with the patient's
+// tool's coordinates. For a ligament, the anchor is fixed in the world, or moves with the patient's
 // breathing. While a cell has springs, its load (ElasticState::load) is computed anew in each
 // substep. The load is the sum of the forces of these springs and of the cell's joints, which are
 // springs to other organs.

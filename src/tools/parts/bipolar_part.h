@@ -7,7 +7,7 @@
 
 namespace resect {
 
-// Value of ToolStance::squeeze from which current flows.
+// Current flows if ToolStance::squeeze is at least this value.
 inline constexpr double kBipolarCloses = 0.9;
 // If a vessel bleeds at a distance from the tips of at most this, m, its bleeding end is heated.
 // Otherwise the tissue at the tips is heated.

@@ -2,8 +2,8 @@
 // forceps then pull this tissue until the tips open.
 //
 // The forceps grip only tissue that is between the tips in the frame in which they close. Tissue
-// that closed forceps touch later is not gripped. The simulation releases the cells when the force
-// on the grip exceeds ToolModel::slipForce, or when the tool is put away.
+// that closed forceps touch later is not gripped. The simulation releases the gripped cells when
+// the force on the grip exceeds ToolModel::slipForce, or when the tool is put away.
 #pragma once
 
 #include "tools/working_part.h"

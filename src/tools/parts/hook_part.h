@@ -1,7 +1,7 @@
 // Working part of a hook: grips the cells in the hook's bend, so that the hook pulls them.
 //
-// The part grips in a frame in which the hook moves towards its handle and does not yet hold a cell
-// of the organ. The simulation releases the cells when the force on the grip exceeds
+// The part grips in a frame in which the hook moves towards its handle and holds no cell of the
+// organ yet. The simulation releases the gripped cells when the force on the grip exceeds
 // ToolModel::slipForce, or when the tool is put away.
 #pragma once
 

@@ -1,6 +1,6 @@
 // Working part of scissors: two edges that cut the tissue between them while they close. The tool
-// may move in any way at the same time. In contact with tissue, the tool always has the shape of
-// wide open jaws, even if the jaws are closed.
+// may move in any way at the same time. Contact with tissue is always computed from the shape with
+// wide open jaws, even while the jaws are closed.
 #pragma once
 
 #include "tools/working_part.h"

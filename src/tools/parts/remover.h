@@ -1,5 +1,5 @@
 // Working part that removes each particle (cell of tissue) that its instrument touches, as all
-// instruments of the thesis did. Any instrument can have this part.
+// instruments did in the diploma thesis that Resect continues. Any instrument can have this part.
 #pragma once
 
 #include "tools/working_part.h"

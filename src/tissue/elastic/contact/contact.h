@@ -15,8 +15,8 @@
 // If the centre of a cell nevertheless lies too deep inside an obstacle, the centre is moved out.
 // No centre may lie inside the table or the tool box. A centre may lie at most one spacing (side of
 // a cell) deep inside an instrument. Instruments with blades, jaws or hooks are different, since
-// they must be able to enter tissue (Obstacle::enters). They press no points, but cell centres are
-// kept a tenth of a spacing away from them.
+// they must be able to enter tissue (Obstacle::enters). Such instruments press no points, but cell
+// centres are kept a tenth of a spacing away from the instruments.
 #pragma once
 
 #include <vector>
@@ -76,7 +76,7 @@ class TissueContacts {
   // A cell that an obstacle may push.
   struct Cell {
     std::int32_t cell;
-    bool near;  // true: its centre may come near the obstacle; false: only its points
+    bool near;  // true: the cell's centre may come near; false: only its points may
     Vec3 rest;  // rest position, m
   };
   // A point that an obstacle may press. Its position is `base` plus the mean displacement of the

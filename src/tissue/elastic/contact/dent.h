@@ -20,7 +20,7 @@ struct Dent {
 
 // Limits of the search for the way out of an obstacle.
 struct WayOut {
-  double deepest;  // m; larger depths are reduced to this
+  double deepest;  // greatest depth, m; larger depths are reduced to it
   // Greatest length of the way out, m. If the way out is longer, the patch is not in contact with
   // the obstacle.
   double farthest;
@@ -34,9 +34,9 @@ struct WayOut {
 };
 
 // All vectors are in the obstacle's coordinates. place: middle of the patch, m. inwards: the
-// tissue's normal, unit, into the tissue. width: width of the patch, m. If the way out is longer
-// than `deepest` and there is contact all the same, then the depth of the result is `deepest` and
-// its normal is `inwards`, not the obstacle's normal.
+// tissue's normal, unit, into the tissue. width: width of the patch, m. If there is contact and the
+// way out is longer than `deepest`, then Dent::depth is `deepest`, and Dent::outwards is `inwards`,
+// not the obstacle's normal.
 Dent dentIn(const SignedDistance& shape, const Vec3& place, const Vec3& inwards, double width,
             const WayOut& limits);
 

@@ -6,9 +6,9 @@
 // cell.
 //
 // A point belongs to a cell. The point follows the weighted mean of this cell and of the neighbours
-// that are bonded to this cell. The weights are those of quadratic splines; they spread a force
-// equally far wherever the point lies in its cell. So tissue yields equally everywhere, although
-// its cells are large.
+// that are bonded to this cell. The weights are those of quadratic splines. With these weights, a
+// force is spread equally far wherever the point lies in its cell. So tissue yields equally
+// everywhere, although its cells are large.
 #pragma once
 
 #include <array>

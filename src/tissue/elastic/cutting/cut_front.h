@@ -1,4 +1,4 @@
-// Cutting by energy: to cut an area of elastic tissue takes a given energy. So the edge of an
+// Cutting by energy: a cut in elastic tissue takes a given energy per area. So the edge of an
 // instrument cuts only as far as it has done the necessary work. docs/methods/cutting.md derives
 // the method.
 //

@@ -29,10 +29,10 @@ class RestTissue {
       : state_(state), lattice_(lattice), surface_(surface) {}
 
   // Finds the cells that stand for a point: the solid cells within the reach (kCutReach). The reach
-  // is a fixed length and not a number of cells, since a force on one small cell would crush that
-  // cell. If there are no such cells, or if all of them are almost a full reach away, the nearest
-  // solid cell stands for the point. Its centre must be at most two spacings away along each axis;
-  // otherwise no cell is found.
+  // does not shrink with the cells, since a force on one small cell would crush that cell. If no
+  // solid cell is within the reach, or if all that are within it are almost a full reach away, the
+  // nearest solid cell stands for the point. If the centre of that cell is more than two spacings
+  // away along any axis, no cell is found.
   void findCells(const Vec3& point, PointCells& cells) const;
   Vec3 displacement(const Vec3& point, const PointCells& cells) const;  // m
   Vec3 velocity(const PointCells& cells) const;                         // m/s

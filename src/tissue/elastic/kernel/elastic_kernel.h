@@ -1,5 +1,6 @@
 // The kernels of elastic tissue: the two passes over the cells for each substep, and a function
-// that gives the placements of cells. They are compiled for several instruction sets.
+// that gives the placements (displacement and gradient) of cells. The kernels are compiled for
+// several instruction sets.
 //
 // The method is total-Lagrangian SPH with corrected gradient and bond penalty (Ganzenmueller 2015),
 // in the energy form of docs/methods/tissue.md. The computation of a cell reads data of its
