@@ -1,6 +1,6 @@
 // The picture in the window: draws the operation, and turns mouse and keyboard input into Inventor
 // events. When nothing moves, the picture is drawn antialiased, strip by strip, so that input never
-// waits for a whole picture.
+// waits for a whole picture. While something moves, strips are antialiased less often.
 //
 // The picture is drawn offscreen, and only changed pixels go to the screen. A QOpenGLWidget would
 // draw the whole window again for each picture. With software rendering, drawing the window took

@@ -47,8 +47,7 @@ class HaemostasisWatch {
   std::vector<ClippedVessel> clipsBefore_;
   std::vector<BleedingEnd> endsBefore_;
   double opened_ = 0;
-  // Simulated time at which a clip was placed, s. -1: the user has been told the effect of
-  // every clip.
+  // Simulated time at which a clip was placed, s. -1: no clip remains to be reported.
   double placed_ = -1;
 };
 
