@@ -1,4 +1,5 @@
-// The anatomy of an organ: its vessels, as trees of straight segments in rest space.
+// The anatomy of an organ: its vessels, as trees of straight segments in rest space, that is, at
+// their positions before any motion.
 //
 // Vessels are far thinner than the cells of the tissue's lattice, so cells cannot represent them. A
 // segment has a position and a radius of its own, which do not depend on the lattice. Segments of

@@ -9,8 +9,8 @@
 
 namespace resect {
 
-// The first of two neighbouring parts has a share of the volume of both parts. usual: the usual
-// share. off: the largest allowed difference from the usual share.
+// The first of two neighbouring parts has a share of the volume of both parts together. usual: the
+// usual share. off: the largest allowed difference from the usual share.
 struct PartShare {
   double usual = 0.5, off = 0.5;
 };

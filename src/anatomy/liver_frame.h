@@ -1,6 +1,6 @@
-// Directions in a liver: up, and from right to left about an axis near the vena cava. They turn
-// with the liver, since they are found from the portal vein and the hepatic veins alone. In a
-// mirrored liver right and left are exchanged.
+// Directions in a liver: up, and from right to left about an axis near the vena cava. The
+// directions turn with the liver, since they are found from the portal vein and the hepatic veins
+// alone. In a mirrored liver right and left are exchanged.
 #pragma once
 
 #include <array>
@@ -20,8 +20,8 @@ struct LiverFrame {
   Vec3 fork = Vec3::Zero();   // the portal vein's fork: its first division into main branches, m
   Vec3 cava = Vec3::Zero();   // where the hepatic veins meet, m
   // Unit vectors at right angles. up: from `entry` to `cava`. The axis is the line through `cava`
-  // in this direction. On one side of the axis lies the least part of the liver; `ahead` points
-  // away from this side.
+  // in the direction `up`. `ahead` points away from that side of the axis on which the liver
+  // extends least.
   Vec3 up = Vec3::Zero(), ahead = Vec3::Zero(), left = Vec3::Zero();
   // First segments of the right, middle and left hepatic vein.
   std::array<std::int32_t, 3> trunks{};

@@ -19,7 +19,7 @@
 // At the end, borders are moved so that they cut fewer branches of the portal vein: if nearly all
 // terminals of a branch are in one segment, this segment gets the whole branch.
 //
-// The segment of any other point is that of the portal vein's terminals near this point.
+// The segment of any other point is found from the terminals of the portal vein near this point.
 #pragma once
 
 #include <array>
@@ -56,8 +56,8 @@ class LiverSegments {
   // The Couinaud segments that a vessel supplies or drains: bit s - 1 stands for Couinaud segment
   // s. The bit is set if more than a tenth of the vessel's terminals belong to s. The bit is also
   // set if the vessel has more than half of all terminals that vessels of its kind have in s. A
-  // terminal of another kind of vessel belongs to the Couinaud segment of the portal vein's
-  // terminal nearest to it. segment: index of a piece of the vessel.
+  // terminal of a vessel other than the portal vein belongs to the same Couinaud segment as the
+  // nearest terminal of the portal vein. segment: index of a piece of the vessel.
   std::uint8_t territory(std::int32_t segment) const { return territory_[std::size_t(segment)]; }
   // The directions from which the segments were found.
   const LiverFrame& frame() const { return frame_; }

@@ -48,8 +48,8 @@ std::array<double, kLiverSegments> segmentVolumes(const LiverSegments& segments,
                                                   const TriangleMesh& surface);
 
 // A vessel with a name. It begins with a segment that is a root or whose parent has another name.
-// A descendant of this first segment also belongs to the vessel if it and all segments between have
-// the same name.
+// A descendant of this first segment also belongs to the vessel if this descendant and all segments
+// between the two have the same name.
 struct NamedVessel {
   std::string name;
   VesselKind kind = VesselKind::PortalVein;

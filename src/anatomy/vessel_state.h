@@ -3,9 +3,9 @@
 //
 // Cuts are computed with 19 lines in each vessel, parallel to its axis: the filaments. One filament
 // runs in the middle, six run at half the vessel's radius, and twelve at 0.87 of the radius. Each
-// filament stands for the same share of the cross-section. So a cut can also open only a part of
-// the wall. A vessel with more than nine tenths of its filaments cut is severed and has two open
-// ends.
+// filament stands for the same share of the cross-section. A cut through only some of the filaments
+// opens only a part of the wall. If more than nine tenths of a vessel's filaments are cut, the
+// vessel is severed and has two open ends.
 #pragma once
 
 #include <bit>
@@ -108,12 +108,12 @@ Filament filamentOf(const VesselSegment& segment, int filament);
 void cutVessels(const Anatomy& anatomy, const VesselIndex& index, const SweptBlade& blade,
                 VesselState& state, std::vector<std::int32_t>& cut);
 // Of the vessels in the box, cuts the vessels with a radius below `spared`, m. The wider vessels
-// become bare there.
+// become bare in the box.
 void cutVessels(const Anatomy& anatomy, const VesselIndex& index, const Aabb& box, double spared,
                 VesselState& state, std::vector<std::int32_t>& cut);
 
 // face: the face along which tissue tore. Of the vessels that cross the face, cuts the vessels with
-// a radius below `spared`, m. The wider vessels become bare there.
+// a radius below `spared`, m. The wider vessels become bare at the face.
 void tearVessels(const Anatomy& anatomy, const VesselIndex& index, const SweptBlade& face,
                  double spared, VesselState& state, std::vector<std::int32_t>& cut);
 

@@ -225,7 +225,7 @@ class MainWindow : public QMainWindow {
   bool marking_ = false;                  // the next click marks a place
   std::shared_ptr<LiveAttempt> attempt_;  // attempt at the last exercise; null: none
   bool attemptEnded_ = false;
-  bool afterExercise_ = false;  // somebody works on after the end of an exercise
+  bool afterExercise_ = false;  // somebody goes on operating after an exercise
   bool waitsForHand_ = false;   // no instrument was taken yet, so the time has not started
   std::vector<HaemostasisWatch> haemostasis_;  // of each instrument that closes vessels
   bool clampSaid_ = false;                     // the inflow was clamped at the last tick

@@ -5,7 +5,7 @@
 #include "inventor/hand/operating_session.h"
 #include "operation/precompiled.h"
 
-// Qt after Inventor.
+// Qt's headers come after Inventor's.
 #include <QMainWindow>
 #include <QString>
 #include <QTimer>

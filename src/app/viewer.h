@@ -1,6 +1,6 @@
 // The picture in the window: draws the operation, and turns mouse and keyboard input into Inventor
 // events. When nothing moves, the picture is drawn antialiased, strip by strip, so that input never
-// waits for a whole picture.
+// waits for a whole picture. While something moves, strips are antialiased less often.
 //
 // The picture is drawn offscreen, and only changed pixels go to the screen. A QOpenGLWidget would
 // draw the whole window again for each picture. With software rendering, drawing the window took
@@ -93,9 +93,9 @@ class Viewer : public QWidget {
   QImage image_;  // the picture on the screen
   Damage damage_;
   // Sets of strips of the picture: bit i is strip i, counted from below.
-  std::uint32_t coarse_ = 0;  // strips of which parts are drawn at a lower resolution
+  std::uint32_t coarse_ = 0;  // strips in which something is drawn at a lower resolution
   std::uint32_t rough_ = 0;   // strips that are not antialiased yet
-  std::uint32_t behind_ = 0;  // strips that are still to be antialiased while parts move
+  std::uint32_t behind_ = 0;  // strips to be antialiased while something moves
   int sinceStrip_ = 0;        // number of pictures drawn since the last strip was drawn
   bool shadowsDue_ = false;   // the next strip also draws the changed shadows
   double slowDrawn_ = 0;      // last time when Damage::slow was drawn again, s

@@ -21,7 +21,7 @@ class Error : public std::runtime_error {
   Status status() const { return status_; }
 
  private:
-  // what() ends at the first NUL, and foreign text in the sentence may hold one.
+  // what() ends at the first NUL, and foreign text in the sentence may hold a NUL.
   static std::string withoutNul(std::string sentence) {
     for (char& c : sentence)
       if (c == '\0') c = ' ';

@@ -21,10 +21,10 @@ void reserveFor(std::vector<T, Allocator>& array, std::size_t size) {
 }
 
 // Calls array.resize(size). If the capacity is too small, it is first raised to size + size / 32.
-// For example, a cut through an organ adds a few triangles to the arrays of the surface. They
-// nearly always fit into the spare capacity. Without spare capacity, a cut would copy tens of
-// megabytes, which takes as long as a frame. New elements are uninitialised; the caller writes
-// them.
+// For example, a cut through an organ adds a few triangles to the arrays of the surface. These
+// triangles nearly always fit into the spare capacity. Without spare capacity, a cut would copy
+// tens of megabytes, which takes as long as a frame. New elements are uninitialised; the caller
+// writes them.
 template <typename T>
 void growTo(RawArray<T>& array, std::size_t size) {
   if (size > array.capacity()) reserveFor(array, size + size / 32);

@@ -1,5 +1,5 @@
-// A box of grid points, which are numbered consecutively. It is used to store values for a part of
-// a grid if values for the whole grid would take too much memory.
+// A box of grid points, which are numbered consecutively. The box is used to store values for a
+// part of a grid if values for the whole grid would take too much memory.
 #pragma once
 
 #include <cstdint>

@@ -99,7 +99,7 @@ class Bleeding {
     // Pressures in the sinusoids (the capillaries of the liver), Pa. The index is Oozing::part.
     std::vector<double> sinusoids;
     // An edit may divide tissue into parts. The search for parts is delayed until some frames after
-    // the edit. This is the number of frames since the edit; 0: no search is due.
+    // the edit. unsought: number of frames since the edit; 0: no search is due.
     std::int32_t unsought = 0;
     VesselFlow flow;  // set up once
 

@@ -2,8 +2,8 @@
 //
 // Method: constrained constructive optimisation (Schreiner and Buxbaum 1993; Jessen et al. 2022 for
 // competing trees). A new terminal, that is, a new end of a tree, can be joined to one of the
-// segments nearest to it. Joins by which a vessel would leave the organ or meet another vessel are
-// not allowed. Of the allowed joins, the one that adds the least volume is made.
+// segments nearest to the terminal. Joins by which a vessel would leave the organ or meet another
+// vessel are not allowed. Of the allowed joins, the one that adds the least volume is made.
 #pragma once
 
 #include <array>

@@ -12,8 +12,8 @@ namespace resect {
 // Anatomy. The segments follow the middle of the shape with an error of at most 0.45 of the
 // vessel's radius. In the first and last segments of a vessel, the error is at most one radius
 // (test/anatomy/centre_lines_test.cpp). A branch begins at the middle of the vessel that it leaves.
-// Radii are computed from depths, with an error of about half a cell. Vessels thinner than two
-// cells are lost or get too large a radius.
+// Radii are computed from SolidShape::depth, with an error of about half a cell of the shape's
+// lattice. Vessels thinner than two cells are lost or get too large a radius.
 //
 // The root of a vessel is its widest end. Several hepatic veins come together at one point; the
 // root of each vein is its end nearest to this point. All other ends are leaves. The result is

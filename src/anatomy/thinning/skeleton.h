@@ -1,4 +1,4 @@
-// The skeleton of a branching shape: trees of cells that follow its middle.
+// The skeleton of a branching shape: trees of cells that follow the middle of the shape.
 //
 // Method: TEASAR (Sato et al. 2000, 10.1109/PCCGA.2000.883951). In each connected part, paths from
 // a root to the farthest cells are found one after another. A path ends where it meets an earlier
@@ -23,15 +23,15 @@ struct Skeleton {
 
 // One tree for each connected part of the shape. The root of the tree is the widest end of the
 // part. Parts that are nowhere deeper than one cell are left out. Cost: O(n log n) for n cells
-// inside.
+// in the shape.
 std::vector<Skeleton> skeletons(const SolidShape& shape);
 
 // Moves the roots of trees that meet outside the shape, as the hepatic veins do in the vena cava.
 // The meeting point is an end of one of the trees. It is found as follows. For each end, the
 // distances to the nearest end of every other tree are added. The end with the least sum is the
 // meeting point. Trees with less than a fifth of the cells of the largest tree are not counted.
-// Then the root of each tree becomes the end of this tree that is nearest to the meeting point. A
-// single tree is not changed.
+// Then, in each tree, the end nearest to the meeting point becomes the root. A single tree is not
+// changed.
 void rootTogether(const SolidShape& shape, std::vector<Skeleton>& trees);
 
 }  // namespace resect

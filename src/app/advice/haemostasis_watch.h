@@ -19,7 +19,7 @@ class HaemostasisWatch {
   // Returns the name of the vessel that a segment of an organ belongs to, for people.
   using NameOf = std::function<std::string(std::int32_t organ, std::int32_t segment)>;
 
-  // Whether the tool closes vessels, so that it can be watched.
+  // Whether the tool closes vessels. Only such a tool can be watched.
   static bool watches(const ToolModel& model);
   // tool: its number. model: a model for which watches() is true.
   HaemostasisWatch(int tool, const ToolModel& model);
@@ -47,8 +47,7 @@ class HaemostasisWatch {
   std::vector<ClippedVessel> clipsBefore_;
   std::vector<BleedingEnd> endsBefore_;
   double opened_ = 0;
-  // Simulated time at which a clip was placed, s. -1: there is no clip whose effect is still to be
-  // told.
+  // Simulated time at which a clip was placed, s. -1: no clip remains to be reported.
   double placed_ = -1;
 };
 

@@ -54,9 +54,9 @@ class AttemptScorer {
   void tabulate(const std::filesystem::path& folder, const std::filesystem::path& page,
                 const std::filesystem::path& history, bool names, std::function<void()> written,
                 std::function<void(QString)> failed);
-  // Stops waiting for the work in progress. This work is still finished, but the functions that
-  // were given for it are no longer called. score() and tabulate() call leave() first. The work is
-  // finished even if this object is destroyed.
+  // Stops waiting for the work in progress. The work goes on to its end, but the functions that
+  // were given for this work are no longer called. score() and tabulate() call leave() first. The
+  // work goes on to its end even if this object is destroyed.
   void leave();
 
  private:
@@ -64,7 +64,7 @@ class AttemptScorer {
              std::function<void(QString)> failed);
 
   std::unique_ptr<QProcess> process_;            // null: none
-  std::vector<std::unique_ptr<QProcess>> left_;  // processes that leave() no longer waits for
+  std::vector<std::unique_ptr<QProcess>> left_;  // processes that this object no longer waits for
 };
 
 AttemptResult resultOf(const Scored& scored);

@@ -23,7 +23,7 @@ class ExercisePanel : public QWidget {
  public:
   explicit ExercisePanel(QWidget* parent = nullptr);
 
-  // Called when an attempt begins. guided: whether guidance may be shown. ghosts: whether the
+  // To be called when an attempt begins. guided: whether guidance may be shown. ghosts: whether the
   // exercise has a reference run, whose instruments can be shown as transparent ghosts
   // (inventor/hand/ghost_tools.h). draft: whether the user is still making the exercise.
   void begin(const QString& title, const Task& task, bool guided, bool ghosts, bool draft);

@@ -39,8 +39,9 @@ class TaskMakerPanel : public QWidget {
   bool marksStructure() const;
   double structureRadius() const;  // m, of the new tumour
   double structureDepth() const;   // m, of the new tumour's centre
-  // The task from the panel's fields. The window adds the goal's places, normal and vessel, and the
-  // bands within which a passing attempt's figures must lie (skills/score/bands.h).
+  // The task from the panel's fields. The window adds the places, the surface normal and the vessel
+  // of the goal, and the bands within which the figures of a passing attempt must lie
+  // (skills/score/bands.h).
   Task task() const;
   std::string title() const;
 
@@ -49,7 +50,7 @@ class TaskMakerPanel : public QWidget {
   void addTry(const QString& words, bool good);
   void clearTries();
   std::vector<std::size_t> references() const;  // indices of the ticked attempts, ascending
-  bool bandWanted() const;  // whether figures must be near those of the references
+  bool bandWanted() const;  // whether an attempt must have figures near those of the references
 
   std::function<void(bool)> markingWanted;
   std::function<void()> goalChanged, lastMarkRemoved, tried, saved, closed;

@@ -9,7 +9,8 @@ class QMenu;
 namespace resect {
 
 // Adds a submenu with the languages to `menu`. The user's choice is kept in the settings, and takes
-// effect at the next start of the program. `tell` is called with a sentence that says so.
+// effect at the next start of the program. `tell` gets a sentence that says when the choice
+// takes effect.
 void addLanguageMenu(QMenu* menu, std::function<void(const QString&)> tell);
 
 }  // namespace resect

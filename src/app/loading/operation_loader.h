@@ -17,7 +17,8 @@ class OperationLoader {
   struct Wish {
     std::filesystem::path file;
     bool anew = false;  // start again from the beginning, without the recorded work
-    // Go on recording, into a new file (Result::recorder). Has no effect if `anew` is true.
+    // Go on recording, into a new file (OrganLoader::Result::recorder). Has no effect if `anew` is
+    // true.
     bool record = true;
     std::size_t historyBytes = 0;  // largest memory for the states of earlier moments, bytes
   };

@@ -17,7 +17,7 @@ struct FilePart {
   std::string part;       // as OrganSource::part names it
   std::string name;       // for people
   std::string about;      // volume, or why there is none: "1378 ml", "open, 12 boundary edges"
-  std::string file = {};  // path of the image, if it is one of a folder
+  std::string file = {};  // path of the image, if the part is an image of a folder
   std::optional<StructureKind> kind = {};  // kind that the name stands for; empty: none
 };
 
@@ -28,10 +28,11 @@ std::vector<FilePart> fileParts(const QJsonObject& info);
 // parts of the surface.
 QString surfaceReport(const QJsonObject& info, bool roles);
 
-// Text about a label image: its format, and the notes about what was taken from it.
+// Text about a label image: its format, and notes about what Resect took from the image.
 QString imageReport(const QJsonObject& info);
 
-// Asks which label of an image, or which image of a folder, is the organ.
+// Returns a question to the user: which label of an image is the organ? If `folder` is true: which
+// image of a folder is the organ?
 QString organQuestion(bool folder);
 
 // Text about the size of an organ, with a warning if the size is not that of any organ. longest:

@@ -1,4 +1,5 @@
-// Dialog that shows all branches of an operation side by side.
+// Dialog that shows all branches of an operation side by side. A new branch begins when the user
+// goes back to an earlier moment and operates from there.
 #pragma once
 
 #include <QDialog>

@@ -10,7 +10,7 @@ class ControlsOverlay : public QWidget {
  public:
   explicit ControlsOverlay(QWidget* parent);
   // True: lists the controls with which instruments follow the surface. False: lists the controls
-  // of the thesis's program.
+  // of the program of the diploma thesis that Resect continues.
   bool guided = true;
 
  protected:

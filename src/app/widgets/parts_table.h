@@ -17,7 +17,8 @@ class PartsTable : public QTableWidget {
   explicit PartsTable(QWidget* parent = nullptr);
 
   // Fills the table with the parts of a file, and proposes a role for each part by its name
-  // (structureKind()). A part is left out if its name tells no kind, or if it is a gallbladder.
+  // (structureKind()). A part is left out if its name stands for no kind, or if it is a
+  // gallbladder.
   //
   // If no part has the name of an organ's tissue, other rules apply. In an image, all labels are
   // left out. In a model, the parts that the first rules leave out become the organ, and the other
@@ -30,10 +31,10 @@ class PartsTable : public QTableWidget {
   // Whether any part has the role of the organ. For the images of a folder: whether exactly one
   // image has this role.
   bool hasOrgan() const;
-  const FilePart& organ() const;  // the first one with this role; hasOrgan() must be true
+  const FilePart& organ() const;  // the first part that is the organ; hasOrgan() must be true
   bool isCavity(int row) const;
   // Sets source.part and source.structures as the roles say. source.file must be the file that has
-  // these parts. If it is a folder, it is replaced by the organ's image.
+  // these parts. If source.file is a folder, it is replaced by the path of the organ's image.
   void applyTo(OrganSource& source) const;
 
   QPoint rolePlace(int row) const;  // centre of the row's list of roles, in screen coordinates

@@ -1,6 +1,6 @@
 // A small picture of a closed or open surface. The surface turns about the vertical, so that a
-// person sees what a file holds before it becomes an organ. The person can also turn the surface by
-// dragging with the mouse.
+// person sees what a file holds before the file becomes an organ. The person can also turn the
+// surface by dragging with the mouse.
 #pragma once
 
 #include <Inventor/nodes/SoRotation.h>

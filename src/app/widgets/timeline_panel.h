@@ -64,8 +64,8 @@ class TimelinePanel : public QWidget {
   void listBranches();
   void describe();
   static bool isListed(const Timeline::Course& course);
-  // The listed branches that fork off the branch that is shown, or off an earlier part of its
-  // history.
+  // Of the branches for which isListed() is true: those that fork off the branch that is shown, or
+  // off an earlier part of its history.
   std::vector<const Timeline::Course*> branchesBeside() const;
   void ask(std::int64_t frame);
 

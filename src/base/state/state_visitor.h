@@ -152,9 +152,10 @@ class StateVisitor {
   // `count` numbers of `size` bytes each.
   virtual void numbers(const char* name, void* data, std::size_t count, std::size_t size) = 0;
   // Called when a list of `count` entries begins. Returns the number of entries that the list must
-  // have. Only a visitor that loads may return another number than `count`. Then the entries are
-  // visited. Numbers and matrices come in one call of numbers() with an empty name. Structs come
-  // one after the other, and each struct comes field by field. A call of leave() ends the list.
+  // have. Only a visitor that loads may return another number than `count`. After this call the
+  // entries are visited. Numbers and matrices come in one call of numbers() with an empty name.
+  // Structs come one after the other, and each struct comes field by field. A call of leave() ends
+  // the list.
   virtual std::size_t enterList(const char* name, std::size_t count) = 0;
   virtual void enter(const char* name) = 0;
   virtual void leave() = 0;
@@ -217,8 +218,8 @@ class StateVisitor {
       numbers("", field.data(), count * PlainOf<Element>::count,
               sizeof(typename PlainOf<Element>::Scalar));
     } else {
-      // The list grows step by step while it is loaded. A damaged state may give too large a count;
-      // then memory is not allocated for all these entries at once.
+      // While a list is loaded, it grows step by step. So a damaged state that gives too large a
+      // count does not cause the allocation of memory for all these entries.
       if (count < field.size()) field.resize(count);
       for (std::size_t i = 0; i < count; ++i) {
         if (i == field.size()) field.resize(std::min(count, i + std::max(i, std::size_t(64))));
