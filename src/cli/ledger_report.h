@@ -9,11 +9,10 @@
 
 namespace resect {
 
-// One object per organ. Volumes are sums over cells of the tissue that each cell holds
-// (operation/ledger/ledger.h).
-// Units: ml for volumes, g for masses, cm^2 for areas, mm for margins. A margin is the least
-// distance from a named structure, such as a tumour, to a cut. It is null as long as nothing was
-// cut or removed.
+// One object per organ. A volume is the sum, over cells, of the volume of tissue in each cell
+// (operation/ledger/ledger.h). Units: ml for volumes, g for masses, cm^2 for areas, mm for margins.
+// A margin is the least distance from a named structure, such as a tumour, to a cut. It is null as
+// long as nothing was cut or removed.
 nlohmann::ordered_json toJson(const Ledger& ledger);
 
 // Rows of a summary. Each row begins with two spaces and a name of ten characters, and ends with a

@@ -1,4 +1,4 @@
-// Command-line options that choose an organ. They are the same in every command.
+// Command-line options that choose an organ. Several commands share these options.
 #pragma once
 
 #include <memory>

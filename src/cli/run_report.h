@@ -13,7 +13,7 @@ namespace resect {
 nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenario);
 
 // One curve for each instrument on which a force acted: the force on the instrument, N, over time,
-// s. If no tissue moves, no force is computed, and there are no curves.
+// s. Without elastic tissue no force is computed, and there are no curves.
 LinePlot forcePlot(const RunSummary& summary, const Scenario& scenario);
 
 // A summary for people. `files`: names of the files that were written; each name gets a line.

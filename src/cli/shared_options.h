@@ -49,7 +49,7 @@ void requireSetting(const std::string& setting);
 
 // Adds --breathing: the depth of the patient's breathing, a length as text. If `depth` is not
 // empty, setBreathing() writes it to the scenario. setBreathing() throws a usage Error if `depth`
-// is not a length or is out of range, or if no tissue of the scenario moves.
+// is not a length or is out of range, or if the scenario has no elastic tissue.
 void addBreathingOption(Command command, std::string& depth);
 void setBreathing(Scenario& scenario, const std::string& depth);
 

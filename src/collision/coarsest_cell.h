@@ -6,7 +6,8 @@
 
 namespace resect {
 
-inline constexpr double kMostLostTissue = 0.02;  // share of the tissue's volume that may be lost
+// Largest share of the tissue's volume that may be lost when the organ is made of cells.
+inline constexpr double kMostLostTissue = 0.02;
 // Least number of particles of a whole organ. Fewer particles do not show the organ's shape.
 inline constexpr double kFewestParticles = 2000;
 

@@ -23,8 +23,8 @@ class SignedDistance {
   // `margin` > 0, m: how far the grid extends beyond the mesh. `cell` > 0, m: side of the grid's
   // cells. The side is enlarged if the grid would have more than 2 million nodes. For an empty mesh
   // every distance is kFar. band, m: at nodes farther than this from the mesh, the distance is not
-  // computed. It is `band` outside the body and -`band` inside, and the direction is undefined.
-  // This saves most of the time for large thin bodies.
+  // computed. At these nodes the distance is set to `band` outside the body and to -`band` inside,
+  // and the direction is undefined. For large thin bodies this saves most of the computing time.
   SignedDistance(const TriangleMesh& mesh, double margin, double cell, double band = kFar);
 
   struct Sample {

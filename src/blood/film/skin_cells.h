@@ -62,7 +62,7 @@ class SkinCells {
   explicit SkinCells(const OperatedOrgan& organ);  // finds all skin cells
 
   // Call this after cuts, tears or the removal of tissue at `cells`. Updates all cells up to two
-  // cells away from them along each axis. Appends to `opened` the faces that have become free.
+  // cells away from `cells` along each axis. Appends to `opened` the faces that have become free.
   void renew(const OperatedOrgan& organ, std::span<const std::int64_t> cells,
              std::vector<OpenedFaces>& opened);
 

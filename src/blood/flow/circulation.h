@@ -8,8 +8,8 @@ inline constexpr double kBloodDensity = 1060;      // kg/m^3
 inline constexpr double kBloodViscosity = 3.5e-3;  // Pa s
 inline constexpr double kEarth = 9.81;             // gravity, m/s^2
 
-// Fraction of its blood that the body can lose and make up for by itself. Larger losses are classes
-// II to IV of haemorrhage (American College of Surgeons, ATLS 2018).
+// The largest loss of blood, as a fraction of all blood, that the body can compensate by itself.
+// Larger losses are classes II to IV of haemorrhage (American College of Surgeons, ATLS 2018).
 inline constexpr double kBorneLoss = 0.15;
 // Volumes of air in the heart, m^3. More than kBorneAir hinders the heart (estimate). kDeadlyAir
 // kills an adult if it enters all at once (200 to 300 ml: Mirski et al. 2007,
@@ -30,9 +30,10 @@ struct SourceShares {
   double artery = 1, portal = 1, vein = 1;
 };
 
-// Values before any bleeding. 1.5 l/min flow through the organ: a quarter comes from the artery,
-// three quarters come from the portal vein. The pressures are 8 mmHg in the portal vein, 3 mmHg in
-// the vena cava and 5 mmHg in the sinusoids (docs/methods/blood.md).
+// Values before any bleeding. Blood flows through the organ at 1.5 l/min: a quarter comes from the
+// artery, three quarters come from the portal vein. The pressures are 8 mmHg in the portal vein (90
+// mmHg at its source), 3 mmHg in the vena cava and 5 mmHg in the sinusoids, which are the liver's
+// capillaries (docs/methods/blood.md).
 struct Circulation {
   Supply portal{90 * kMmHg, 4.37e6 * kMmHg, 18.75e-6};
   Supply hepatic{3 * kMmHg, 0.02e6 * kMmHg, -25e-6};

@@ -16,7 +16,7 @@ namespace resect {
 std::vector<std::int32_t> partOfCells(const OperatedOrgan& organ);
 
 // The vessel segments that do not belong to the body, by ascending number. A segment belongs to the
-// part in which the leaves of its subtree end: the last segments of its branches. If these leaves
+// part in which the leaves of its subtree (the last segments of its branches) end. If these leaves
 // end in several parts, the segment belongs to one of these parts. part: the result of
 // partOfCells().
 std::vector<SegmentPart> segmentsApart(const Organ& organ, std::span<const std::int32_t> part);

@@ -46,8 +46,8 @@ class VesselFlow {
   // the body first. The caller passes the pressures from the last call, and solve() updates them.
   //
   // The pressure loss at an end depends on the flow. So each call does four iterations, which start
-  // from the last flows. After a change, the flow is steady only after several calls. Returns the
-  // flow of air into open hepatic veins, m^3/s.
+  // from the flows of the last call. After a change, the flow is steady only after several calls.
+  // Returns the flow of air into open hepatic veins, m^3/s.
   double solve(VesselState& state, std::span<const EndOutside> outside, const SourceShares& sources,
                std::vector<double>& sinusoids) const;
 

@@ -1,4 +1,4 @@
-// Removes the program's temporary files when a signal ends it.
+// Removes the program's temporary files when a signal ends the program.
 #pragma once
 
 namespace resect {

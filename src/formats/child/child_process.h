@@ -32,8 +32,8 @@ struct ChildLimits {
 // what to do.
 //
 // The child has a copy of the calling thread only. So `work` must not wait for other threads, nor
-// take locks that other threads of this process may hold. What `work` changes in memory is lost.
-// `work` cannot open files: what it is to read must be in memory before the call.
+// take locks that other threads of this process may hold. All changes that `work` makes in memory
+// are lost. `work` cannot open files: all data that it reads must be in memory before the call.
 //
 // `prepare` runs in the child before the sandbox is entered. It is meant for libraries that load
 // files of their own at their first use. It must not look at untrusted bytes.

@@ -71,8 +71,8 @@ class GlbFile {
   int addNode(const GlbNode& node);  // the node's children must have been added before
   void addToScene(int node);
 
-  // Motion::Shown is a change of the node's scale, which is (1, 1, 1) or (0, 0, 0). Each value
-  // holds until the next time.
+  // Motion::Shown is a change of the node's scale, which is (1, 1, 1) or (0, 0, 0). Such a scale
+  // holds until the next time of the array.
   enum class Motion { Translation, Rotation, Shown };
   // Adds the motion of a node to the file's only animation. times, values: the numbers of two
   // arrays, as the functions above return them.

@@ -43,9 +43,9 @@ struct FolderImage {
   std::optional<StructureKind> kind;  // kind that the name means; nothing if it means none
 };
 
-// The label images of a folder, sorted by name. DICOM segmentations are also found in the folders
-// below. DICOM files of the scan itself are left out; `notes` then gets a sentence about this.
-// Throws Error if there is no label image.
+// The label images of a folder, sorted by name. DICOM segmentations are also found in subfolders.
+// DICOM files of the scan itself are left out; `notes` then gets a sentence about this. Throws
+// Error if there is no label image.
 std::vector<FolderImage> imagesOf(const std::string& folder, std::vector<std::string>& notes);
 
 // Does the same as takeLabels() for several files. Each file is a label image or a model, and has
@@ -66,7 +66,7 @@ void takeFiles(OrganSource& source, const std::vector<std::string>& files);
 void addStructure(OrganSource& source, StructureKind kind, const std::string& name,
                   const std::string& file, const std::string& part);
 
-// The files that the source is made from, with their roles, for a file of cells.
+// The files that the organ is made from, with their roles, for the header of a file of cells.
 std::vector<CellsInput> inputsOf(const OrganSource& source);
 
 }  // namespace resect

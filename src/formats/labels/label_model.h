@@ -30,10 +30,10 @@ std::string nameList(const std::vector<std::string>& names, std::size_t most = 4
 std::string labelList(const LabelImage& image);
 
 // If `parts` is empty, the model has one part for each label, and the part has the name of the
-// label. Otherwise the model has a single part, and the name of this part is `parts`. It is the
-// surface round the union of the labels that the lines of `parts` name. If the image has only one
-// label and this label has no name, the label gets the name of the file. Throws Error if no voxel
-// is labelled.
+// label. Otherwise the model has a single part, and the name of this part is `parts`. This part is
+// the surface round the union of the labels that the lines of `parts` name. If the image has only
+// one label and this label has no name, the label gets the name of the file. Throws Error if no
+// voxel is labelled.
 Model labelModel(const std::string& path, const LabelImage& image, const std::string& parts,
                  const Progress& progress = {});
 
