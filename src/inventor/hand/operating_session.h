@@ -64,8 +64,8 @@ class OperatingSession {
   // the moment at which the last undo() was called. show() shows any moment
   // (LiveOperation::show()). The tools go to the poses that they had at the shown moment. The
   // operation continues from the shown moment when goOn() is called, or when the hand takes, moves
-  // or lets go an instrument. If an instrument only hovers over the surface, its motion does not
-  // count. All three functions stop the scenario's motions. If there is nothing to undo or redo,
+  // or lets go an instrument. Moving an instrument that only hovers over the surface has no such
+  // effect. All three functions stop the scenario's motions. If there is nothing to undo or redo,
   // the operation stays at its present moment.
   void undo();
   void redo();

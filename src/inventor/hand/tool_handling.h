@@ -125,8 +125,8 @@ class ToolHandling {
 
   // Where take() puts the tip of a tool that was at its rest pose; world, m.
   Vec3 readyPlace = Vec3(0, 0.25, 0);
-  // Corrects the pose that a tool is to get, so that the tool does not go through the table. It may
-  // be empty. It is not called for rest poses, or for poses that a manipulator sets.
+  // Corrects the pose that a tool is to get, so that the tool does not go through the table. The
+  // function may be empty. It is not called for rest poses, or for poses that a manipulator sets.
   std::function<Pose(int tool, const Pose&)> constrain;
 
   // Called after a tool was taken, let go or moved. Also called when the user begins or ceases to
