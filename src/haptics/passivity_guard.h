@@ -4,8 +4,8 @@
 // The guard adds up the work that the force does on the hand. A device holds a force until the next
 // force is written. So the work in a cycle is exactly the force times the displacement of the hand.
 // From this work the guard computes an account: the energy that the hand may still receive. The
-// guard looks one cycle ahead, and reduces the force before the account becomes negative. When
-// the reduction is no longer needed, the force grows again within 30 ms.
+// guard looks one cycle ahead, and reduces the force before the account becomes negative. When the
+// reduction is no longer needed, the force grows again within 30 ms.
 #pragma once
 
 #include "haptics/force_renderer.h"

@@ -75,8 +75,8 @@ class OperatingSession {
   // Lets the operation continue from the moment that is shown.
   void goOn();
   // Sets whether bleeding ends of vessels are marked. The ends are marked only while the hand has
-  // an instrument that can stop bleeding. Then this instrument is also guided to the ends. At first
-  // `marks` is true.
+  // an instrument that can stop bleeding. While the ends are marked, this instrument is also guided
+  // to them. At first `marks` is true.
   void setBleedingMarks(bool marks) { marksBleeding_ = marks; }
   // setGuide() sets the guidance of a task, which is drawn from now on; without a guide nothing is
   // drawn. setGhosts() shows or hides the ghosts of the scenario's instruments (GhostTools).

@@ -87,7 +87,7 @@ class ToolHandling {
   // The pose that the tool in hand had when it began to press. Valid only while pressing() is true.
   const Pose& pressedFrom() const { return pressedFrom_; }
   // The pose that a tool should have. It differs from pose() only if the tool is guided and in
-  // hand. Then the caller must move the tool to this pose.
+  // hand. In this case the caller must move the tool to the wanted pose.
   Pose wanted(int tool) const;
 
   // Lets go of the tool in hand, and then holds `tool` in the manner `how`. If `tool` is -1 or
@@ -173,7 +173,7 @@ class ToolHandling {
   bool pedalling_ = false;          // the key that presses the pedal is down
   std::vector<std::uint8_t> left_;  // for each tool: 1 if it is left at work, otherwise 0
   Hold precise_ = Hold::HandleBox;  // manipulator that the next left click attaches
-  SbVec3f place_;                   // the manipulator's last translation without a scale
+  SbVec3f place_;                   // the manipulator's translation before it was scaled
 
   std::span<const ToolModel> models_;  // one per tool; empty before guide() is called
   std::vector<double> depths_;         // for each tool: its working depth, m
