@@ -8,9 +8,9 @@ namespace resect {
 // Sum of the triangles' areas, m^2.
 double area(const TriangleMesh& mesh);
 
-// Each triangle forms a tetrahedron with the origin. This is the sum of the signed volumes of these
-// tetrahedra, m^3. For a closed mesh the sum is the enclosed volume, and it is negative if the mesh
-// is inside out. For an open mesh the sum depends on where the origin is.
+// Each triangle forms a tetrahedron with the origin. The result is the sum of the signed volumes of
+// these tetrahedra, m^3. For a closed mesh the sum is the enclosed volume, and it is negative if
+// the mesh is inside out. For an open mesh the sum depends on where the origin is.
 double volume(const TriangleMesh& mesh);
 
 // The same sum with the point `tip` in place of the origin. For a closed mesh the result does not

@@ -11,8 +11,8 @@ namespace resect {
 // loop.size() - 2 triangles to `triangles`; they have the orientation of the polygon. Appends
 // nothing if the polygon has fewer than three corners. A convex polygon becomes a fan of triangles
 // round its first corner. Any other polygon is triangulated by ear clipping (Meisters 1975) in the
-// plane perpendicular to its area vector. For n corners this takes O(n^3) at worst. If the polygon
-// has no area or crosses itself, some of the triangles may overlap.
+// plane perpendicular to its area vector. For n corners ear clipping takes O(n^3) at worst. If the
+// polygon has no area or crosses itself, some of the triangles may overlap.
 void triangulatePolygon(std::span<const Vec3> points, std::span<const std::int32_t> loop,
                         std::vector<Triangle>& triangles);
 

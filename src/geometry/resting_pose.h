@@ -13,7 +13,7 @@ namespace resect {
 Eigen::Quaterniond restingRotation(const TriangleMesh& mesh);
 
 // The pose that has this rotation and in which the mesh stands on the table: the bottom of the
-// mesh's bounding box is at y = 0, and the middle of this bottom is the origin.
+// mesh's bounding box is at y = 0, and the middle of this bottom is at the origin.
 Pose standOnTable(const TriangleMesh& mesh, const Eigen::Quaterniond& rotation);
 
 }  // namespace resect

@@ -1,6 +1,6 @@
-// Functions for rotations that give the same bits on every machine. Use them instead of Eigen's
-// functions. Eigen's functions call the sine and arc functions of the C library, whose last bits
-// may differ between machines. The functions of this header call base/elementary.h.
+// Functions for rotations. Their results have the same bits on every machine. Use them instead of
+// Eigen's functions. Eigen's functions call the sine and arc functions of the C library, whose last
+// bits may differ between machines. The functions of this header call base/elementary.h.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -21,7 +21,8 @@ struct Wrench {
 
 // The force that the model gives for the hand's pose. This pose may differ from the pose that the
 // instrument has in the simulation. Contact planes push and never pull. Coulomb's law limits
-// friction. Grips act in all directions. The function allocates no memory.
+// friction. Grips (places where the instrument holds tissue) act in all directions. The
+// function allocates no memory.
 Wrench forceAt(const LocalModel& model, const HandState& hand);
 
 class ForceRenderer {

@@ -1,5 +1,5 @@
 // One cycle of the haptic loop (1 kHz) for one hand. It computes the force for the device from the
-// pose that was read.
+// pose that was read from the device.
 #pragma once
 
 #include "haptics/passivity_guard.h"

@@ -4,8 +4,8 @@
 // The guard adds up the work that the force does on the hand. A device holds a force until the next
 // force is written. So the work in a cycle is exactly the force times the displacement of the hand.
 // From this work the guard computes an account: the energy that the hand may still receive. The
-// guard looks one cycle ahead, and reduces the force before the account becomes negative. After
-// that, it lets the force grow again within 30 ms.
+// guard looks one cycle ahead, and reduces the force before the account becomes negative. When the
+// reduction is no longer needed, the force grows again within 30 ms.
 #pragma once
 
 #include "haptics/force_renderer.h"
@@ -19,10 +19,10 @@ class PassivityGuard {
 
   // Call this first in each cycle, with the pose that was just read from the device.
   void moved(const Pose& pose);
-  // The force to write in this cycle. It is `wanted`, or a smaller force in the same direction. If
-  // the account is negative, a force that brakes the hand is added. dt: time to the next cycle,
-  // s, > 0. The function assumes that the hand will move in the next cycle about as in the last
-  // one.
+  // The force to write in this cycle. It is `wanted`, or a smaller force in the same direction. The
+  // function assumes that the hand will move in the next cycle about as in the last one. If the
+  // hand moves differently, the account can become negative. As long as the account is negative, a
+  // force that brakes the hand is added. dt: time to the next cycle, s, > 0.
   Wrench allow(const Wrench& wanted, double dt);
 
   // energyToHand() is the work that the forces have done on the hand so far, J. It is negative if

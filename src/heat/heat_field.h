@@ -1,8 +1,9 @@
 // The temperature of tissue round heated places, and the fractions of this tissue that are
 // coagulated, dried out and charred.
 //
-// The bioheat equation (Pennes 1948) is solved in rest space, on a lattice that does not depend on
-// the size of the organ's cells:
+// Temperatures are stored on a lattice in rest space, the coordinates of the undeformed organ. This
+// lattice does not depend on the size of the organ's cells. The bioheat equation (Pennes 1948) is
+// solved on this lattice:
 //
 //     rho c dT/dt = k laplacian(T) - w rho_b c_b (1 - coagulated) (T - 37) + source
 //

@@ -20,7 +20,7 @@ struct MeshHealth {
   int specks = 0;
   bool closed = false;
   bool oriented = false;
-  // The mesh is closed and oriented, but at least one outermost component faces inwards. A
+  // True if the mesh is closed and oriented, but at least one outermost component faces inwards. A
   // component is outermost if no other component contains it.
   bool insideOut = false;
   int boundaryEdges = 0;     // number of edges that belong to an odd number of triangles
@@ -38,8 +38,8 @@ MeshHealth examine(const TriangleMesh& mesh, const Topology& topology);
 // with the same surface area. Examples: two coincident sheets, a needle, a folded triangle.
 bool isSpeck(const TriangleMesh& component);
 
-// For each closed component: the number of the outermost component that contains it, or its own
-// number if no component contains it. Component A counts as inside component B if at least three of
+// For each closed component: the index of the outermost component that contains it, or its own
+// index if no component contains it. Component A counts as inside component B if at least three of
 // five tested points of A are inside B (geometry/repair/crossings.h).
 std::vector<int> outermostOf(const std::vector<TriangleMesh>& components);
 

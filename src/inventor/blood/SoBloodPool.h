@@ -1,6 +1,6 @@
 // Inventor node that tells shaders where blood lies on the table. The shaders are those of the
-// nodes that come after this node, such as data/shaders/cloth.frag. In .iv files the node is
-// written `BloodPool {}`, and then has no blood.
+// nodes that come after this node, such as data/shaders/cloth.frag. In an .iv file,
+// `BloodPool {}` makes a node without blood.
 #pragma once
 
 #include <Inventor/fields/SoSFInt32.h>

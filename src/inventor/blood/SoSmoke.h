@@ -4,8 +4,8 @@
 //
 // A shader gets the middle of a ball as gl_Vertex, the corner of the square that shows the ball (-1
 // or 1) as gl_MultiTexCoord1.xy, the ball's radius, m, as gl_MultiTexCoord1.z, and its density as
-// gl_MultiTexCoord1.w. The shape has no bounds, and cannot be picked. In .iv files the node is
-// written `Smoke {}`, and then shows no smoke.
+// gl_MultiTexCoord1.w. The shape has no bounds, and cannot be picked. In an .iv file,
+// `Smoke {}` makes a node without smoke.
 #pragma once
 
 #include <Inventor/fields/SoSFInt32.h>

@@ -14,8 +14,8 @@ namespace resect {
 inline constexpr int kBloodUnit = 6, kHeatUnit = 8, kStructureUnit = 11;
 
 struct TissueTexture {
-  // Beginning of the names of the shader's uniforms. For "blood" they are bloodMap, bloodLow and
-  // bloodPerMetre.
+  // Beginning of the names of the shader's uniforms. For "blood" the uniforms are bloodMap,
+  // bloodLow and bloodPerMetre.
   std::string name;
   int unit = 0;  // texture unit
   GLuint texture = 0;

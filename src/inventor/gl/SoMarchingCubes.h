@@ -1,6 +1,6 @@
-// Inventor engine for marching cubes. The inputs of the engine are values at the points of a grid,
-// which are called nodes. The outputs of the engine are a surface. The engine makes the surface
-// anew whenever an input changes.
+// Inventor engine for marching cubes. The inputs of the engine are values at the points of a grid.
+// These points are called nodes. The outputs of the engine are a surface. The engine makes the
+// surface anew whenever an input changes.
 //
 //     OrganShape {
 //       points     = DEF SURFACE MarchingCubes { dims 20 20 20  value [ ... ]  iso 50 } . points

@@ -6,8 +6,8 @@
 // in two passes. The first pass draws the shapes into a G-buffer (Saito and Takahashi 1990): a
 // shader program (data/shaders/deferred/gather.frag) stores the inputs of the liver's shading in
 // two textures. Depths go to the picture's own depth buffer, and the organ's pixels are marked in
-// its stencil buffer. In the second pass, data/shaders/deferred/gathered.frag shades each marked
-// pixel.
+// the picture's stencil buffer. In the second pass, data/shaders/deferred/gathered.frag shades each
+// marked pixel.
 //
 // A software renderer also evaluates both sides of each branch in a shader. Therefore two shader
 // programs are used. Tissue is rich if it is cut, bloody or heated, or has a structure under the
@@ -18,9 +18,9 @@
 // The group shades in this way if three conditions hold: a shader program is in use, the
 // framebuffer has one sample per pixel, and it has a renderbuffer for depth and stencil. In all
 // other cases the group acts as a plain SoGroup, such as in antialiased pictures, in shadow maps
-// and for picking. With a graphics card all pictures are antialiased, so there the group always
-// acts as a plain SoGroup. The children of the group must be shapes with the attributes of
-// SoOrganShape.
+// and for picking. On a machine with a graphics card all pictures are antialiased, so the group
+// always acts as a plain SoGroup there. The children of the group must be shapes with the
+// attributes of SoOrganShape.
 #pragma once
 
 #include <Inventor/nodes/SoGroup.h>

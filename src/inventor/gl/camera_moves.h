@@ -40,7 +40,7 @@ class CameraMoves {
   // `right` and upwards by the angle `up`, rad.
   void orbit(double right, double up);
   // Least angle of the camera over the horizontal plane through the point of interest, rad. orbit()
-  // does not move the camera below it.
+  // does not move the camera below this angle.
   double lowest = -0.2;
   // Moves the camera parallel to the plane of the picture. The scene seems to move to the right by
   // the distance `right` and upwards by the distance `up`, m.

@@ -51,8 +51,8 @@ inline PixelRect joined(const PixelRect& a, const PixelRect& b) {
           std::max(a.top, b.top)};
 }
 // The pixels of the viewport that can show the damage, as disjoint rectangles. The region
-// Damage::slow is ignored. If a box of the damage extends in front of the camera's near plane, the
-// result is the whole picture.
+// Damage::slow is ignored. If a box of the damage extends beyond the near plane towards the camera,
+// the result is the whole picture.
 std::vector<PixelRect> pixelsOf(const Damage& damage, const SoPerspectiveCamera& camera,
                                 const SbViewportRegion& viewport);
 // Sum of the areas of the rectangles, pixels.

@@ -20,8 +20,9 @@ enum class RoomMaterial {
   // Walls of vessels that have no tissue round them. The material is for an SoOrganShape with the
   // vertices that operation/blood/vessel_walls.h makes.
   Strand,
-  Cloth,  // the drape on the table, and the drapes of the operative field
-  // Still tissue of the operative field. Gut is the material of stomach and bowel.
+  // The drape on the table, and the drapes round the operative field (the opened abdomen).
+  Cloth,
+  // Tissue of the operative field that never moves. Gut is the material of stomach and bowel.
   Skin,
   Fat,
   Muscle,

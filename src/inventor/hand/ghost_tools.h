@@ -1,5 +1,5 @@
-// Ghosts are transparent copies of the instruments. They follow the motions that the scenario gives
-// its instruments. So they show the user what a good operator does.
+// Ghosts are transparent copies of the instruments. The ghosts follow the motions that the scenario
+// gives its instruments. So the ghosts show the user what a good operator does.
 #pragma once
 
 #include <span>

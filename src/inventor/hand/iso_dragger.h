@@ -1,6 +1,6 @@
-// A dragger in the scene that sets the iso level, the value of the colour field that defines the
-// organ's surface. The dragger slides along a vertical scale. The iso level is written above the
-// scale.
+// A dragger in the scene that sets the iso level. The colour field is a smooth field, about 100 in
+// tissue and 0 outside. The organ's surface is where the colour field has the value of the iso
+// level. The dragger slides along a vertical scale. The iso level is written above the scale.
 #pragma once
 
 #include <functional>
@@ -19,7 +19,7 @@ namespace resect {
 
 // A place for the lower end of the scale; world, m. It is to the left of the organ in the picture,
 // so that the scale does not hide the organ. towardsCamera: direction from the organ to the camera.
-// Only its angle about the vertical matters, rounded to steps of 10 degrees.
+// Only the direction's angle about the vertical matters, rounded to steps of 10 degrees.
 Vec3 scaleFoot(const Aabb& organ, const Vec3& towardsCamera);
 
 class IsoDragger {

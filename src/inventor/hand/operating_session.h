@@ -64,8 +64,8 @@ class OperatingSession {
   // the moment at which the last undo() was called. show() shows any moment
   // (LiveOperation::show()). The tools go to the poses that they had at the shown moment. The
   // operation continues from the shown moment when goOn() is called, or when the hand takes, moves
-  // or lets go an instrument. If an instrument only hovers over the surface, its motion does not
-  // count. All three functions stop the scenario's motions. If there is nothing to undo or redo,
+  // or lets go an instrument. Moving an instrument that only hovers over the surface has no such
+  // effect. All three functions stop the scenario's motions. If there is nothing to undo or redo,
   // the operation stays at its present moment.
   void undo();
   void redo();
@@ -75,8 +75,8 @@ class OperatingSession {
   // Lets the operation continue from the moment that is shown.
   void goOn();
   // Sets whether bleeding ends of vessels are marked. The ends are marked only while the hand has
-  // an instrument that can stop bleeding. Then this instrument is also guided to the ends. At first
-  // `marks` is true.
+  // an instrument that can stop bleeding. While the ends are marked, this instrument is also guided
+  // to them. At first `marks` is true.
   void setBleedingMarks(bool marks) { marksBleeding_ = marks; }
   // setGuide() sets the guidance of a task, which is drawn from now on; without a guide nothing is
   // drawn. setGhosts() shows or hides the ghosts of the scenario's instruments (GhostTools).

@@ -87,7 +87,7 @@ class ToolHandling {
   // The pose that the tool in hand had when it began to press. Valid only while pressing() is true.
   const Pose& pressedFrom() const { return pressedFrom_; }
   // The pose that a tool should have. It differs from pose() only if the tool is guided and in
-  // hand. Then the caller must move the tool to this pose.
+  // hand. In this case the caller must move the tool to the wanted pose.
   Pose wanted(int tool) const;
 
   // Lets go of the tool in hand, and then holds `tool` in the manner `how`. If `tool` is -1 or
@@ -125,8 +125,8 @@ class ToolHandling {
 
   // Where take() puts the tip of a tool that was at its rest pose; world, m.
   Vec3 readyPlace = Vec3(0, 0.25, 0);
-  // Corrects the pose that a tool is to get, so that the tool does not go through the table. It may
-  // be empty. It is not called for rest poses, or for poses that a manipulator sets.
+  // Corrects the pose that a tool is to get, so that the tool does not go through the table. The
+  // function may be empty. It is not called for rest poses, or for poses that a manipulator sets.
   std::function<Pose(int tool, const Pose&)> constrain;
 
   // Called after a tool was taken, let go or moved. Also called when the user begins or ceases to
@@ -173,7 +173,7 @@ class ToolHandling {
   bool pedalling_ = false;          // the key that presses the pedal is down
   std::vector<std::uint8_t> left_;  // for each tool: 1 if it is left at work, otherwise 0
   Hold precise_ = Hold::HandleBox;  // manipulator that the next left click attaches
-  SbVec3f place_;                   // the manipulator's last translation without a scale
+  SbVec3f place_;                   // the manipulator's translation before it was scaled
 
   std::span<const ToolModel> models_;  // one per tool; empty before guide() is called
   std::vector<double> depths_;         // for each tool: its working depth, m

@@ -1,7 +1,8 @@
 // Marks where a guided instrument works: a ring round the working point (workPoint() in
 // operation/hand/surface_hand.h), an arrow, and ticks. The arrow has the direction of
-// SurfaceHand::heading. The ticks are opposite the arrow; each tick stands for 5 mm of working
-// depth. There are no ticks while the hand has a target (SurfaceHand::target).
+// SurfaceHand::heading. The ticks are opposite the arrow; each tick stands for 5 mm of the working
+// point's depth below the surface. There are no ticks while the hand has a target
+// (SurfaceHand::target).
 #pragma once
 
 #include <vector>

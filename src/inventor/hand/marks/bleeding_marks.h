@@ -15,8 +15,8 @@ namespace resect {
 inline constexpr double kLeastMarkedFlow = 3e-9;
 
 // The rings of all `ends`. chosen: the point at which the instrument in hand works when it is
-// pressed; world, m. If the end that is nearest to this point is at most 6 mm away, its ring is
-// white and double. towardsEye: direction that the rings face, unit.
+// pressed; world, m. If the end that is nearest to this point is at most 6 mm away, the ring of
+// this end is white and double. towardsEye: direction that the rings face, unit.
 std::vector<MarkLine> bleedingRings(std::span<const BleedingEnd> ends,
                                     const std::optional<Vec3>& chosen, const Vec3& towardsEye);
 

@@ -26,7 +26,7 @@ class LineMarks {
  public:
   struct Style {
     float width = 2;            // pixels
-    bool throughTissue = true;  // the lines are drawn even where tissue hides them
+    bool throughTissue = true;  // the lines can be seen through tissue
     double seen = 0.5e-3;       // m: show() ignores smaller motions of the lines
   };
   LineMarks(SoSeparator* parent, const Style& style);
