@@ -30,36 +30,39 @@ vec3 adnexa(vec3 n0, vec3 p, float wide) {
   float kind = floor(cutShare + 0.02), share = clamp((cutShare - kind) / 0.9, 0.0, 1.0);
   vec4 broad = noise(p * 70.0 + 5.0), middle = noise(p.zxy * 210.0), fine = noise(p.yzx * 800.0);
   fine *= finer(800.0 * wide);
-  // Fine vessels: where a noise passes through zero.
-  float branches = 1.0 - smoothstep(0.02, 0.10, abs(noise(p * 150.0 + 0.6 * middle.yzw).x));
-  branches *= finer(150.0 * wide);
+  // Fine vessels: where a noise passes through zero, here and there.
+  float branches = 1.0 - smoothstep(0.01, 0.07, abs(noise(p * 110.0 + 0.9 * broad.yzw + 0.4 * middle.yzw).x));
+  branches *= finer(110.0 * wide) * smoothstep(-0.25, 0.45, broad.z);
   Tissue t;
   t.lost = 0.05;
   t.cut = 0.0;
-  t.wet = 0.75;
+  t.wet = 0.80;
   t.bumps = 0.020 * middle.yzw + 0.012 * fine.yzw;
   t.waves = 0.045 * broad.yzw + 0.018 * middle.yzw;
   float bend = 60.0;
   if (kind < 16.5) {
-    vec3 bile = vec3(0.088, 0.112, 0.072) * (1.0 + 0.22 * broad.x + 0.10 * middle.x);
-    vec3 serosa = vec3(0.215, 0.175, 0.125);
-    t.albedo = mix(bile, serosa, 0.30 + 0.20 * smoothstep(-0.4, 0.6, middle.x + 0.5 * broad.x));
+    vec3 bile = vec3(0.017, 0.027, 0.021) * (1.0 + 0.25 * broad.x + 0.12 * middle.x);
+    vec3 serosa = vec3(0.066, 0.052, 0.043);
+    t.albedo = mix(bile, serosa, 0.22 + 0.16 * smoothstep(-0.4, 0.6, middle.x + 0.5 * broad.x));
     // Fat and red serosa towards the bed.
-    float bed = 1.0 - smoothstep(0.12, 0.55, share + 0.16 * broad.x + 0.10 * middle.x);
-    t.albedo = mix(t.albedo, vec3(0.33, 0.165, 0.060) * (1.0 + 0.25 * middle.x), 0.75 * bed);
-    t.albedo = mix(t.albedo, vec3(0.190, 0.040, 0.030), 0.55 * branches * (0.45 + 0.55 * bed));
+    float bed = 1.0 - smoothstep(0.10, 0.60, share + 0.22 * broad.x + 0.12 * middle.x);
+    vec3 fat = mix(vec3(0.078, 0.026, 0.018), vec3(0.130, 0.066, 0.026), smoothstep(-0.3, 0.4, middle.x));
+    t.albedo = mix(t.albedo, fat, 0.70 * bed);
+    t.albedo = mix(t.albedo, vec3(0.085, 0.022, 0.018), 0.45 * branches);
   } else if (kind < 17.5) {
     bend = 300.0;
-    vec3 fold = vec3(0.330, 0.180, 0.135) * (1.0 + 0.15 * broad.x);
-    float fat = (1.0 - smoothstep(0.05, 0.60, share + 0.25 * middle.x)) * smoothstep(-0.2, 0.4, broad.x);
-    t.albedo = mix(fold, vec3(0.48, 0.27, 0.095), 0.8 * fat);
-    t.albedo = mix(t.albedo, vec3(0.210, 0.030, 0.022), 0.6 * branches);
-    float edge = smoothstep(0.72, 0.95, share + 0.10 * middle.x);
-    t.albedo = mix(t.albedo, vec3(0.090, 0.030, 0.020) * (1.0 + 0.4 * fine.x), 0.8 * edge);
-    t.bumps += 0.04 * middle.yzw;
+    vec3 fold = vec3(0.098, 0.040, 0.031) * (1.0 + 0.20 * broad.x + 0.10 * middle.x);
+    float fat = (1.0 - smoothstep(0.10, 0.70, share + 0.30 * middle.x)) * smoothstep(-0.2, 0.3, broad.x);
+    t.albedo = mix(fold, vec3(0.150, 0.076, 0.030), 0.75 * fat);
+    t.albedo = mix(t.albedo, vec3(0.095, 0.016, 0.013), 0.45 * branches);
+    float edge = smoothstep(0.70, 0.95, share + 0.12 * middle.x);
+    t.albedo = mix(t.albedo, vec3(0.055, 0.018, 0.013) * (1.0 + 0.4 * fine.x), 0.75 * edge);
+    // It grows out of the capsule.
+    t.albedo = mix(vec3(0.070, 0.018, 0.015), t.albedo, smoothstep(0.10, 0.42, share + 0.15 * middle.x));
+    t.bumps += 0.05 * middle.yzw + 0.02 * fine.yzw;
   } else {
     bend = 300.0;
-    t.albedo = mix(vec3(0.40, 0.235, 0.150), vec3(0.46, 0.27, 0.10), smoothstep(-0.2, 0.5, broad.x));
+    t.albedo = mix(vec3(0.110, 0.054, 0.038), vec3(0.140, 0.074, 0.030), smoothstep(-0.2, 0.5, broad.x));
     t.albedo *= 1.0 + 0.20 * middle.x + 0.10 * fine.x;
     t.albedo = mix(t.albedo, vec3(0.020, 0.022, 0.030), smoothstep(0.4, 0.7, share));  // the thread
   }

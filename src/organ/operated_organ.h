@@ -16,7 +16,8 @@ namespace resect {
 struct VesselCord {
   TissueCord cord;
   std::int32_t segment = -1;  // index in the organ's anatomy
-  double share = 0;           // where the segment enters the cell cord.b: 0 start, 1 end
+  // The place on the segment at which it enters the cell cord.b, as a fraction of its length.
+  double share = 0;
 };
 
 struct OperatedOrgan {

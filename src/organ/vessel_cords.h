@@ -32,7 +32,7 @@ inline constexpr double kTornVessel = 1e-3;
 // leads from each of these cells to the next. Where tissue was removed, a cord leads from one side
 // of the gap to the other. There is no cord across the cut of a severed vessel. Stiffness:
 // cross-sectional area of the wall times kWallModulus, divided by the distance between the cells.
-// Cost: some ns per segment, and 50 ns for each half cell of the length of the cords.
+// Cost: some ns per segment, and 100 ns per spacing of the length of all cords together.
 std::vector<VesselCord> vesselCords(const Organ& organ, const TissueModel& tissue);
 
 // Computes the cords again, and gives them to the tissue. Call after edits and after a restore.

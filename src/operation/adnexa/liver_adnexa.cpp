@@ -17,8 +17,8 @@ namespace {
 constexpr double kPlane = 0.056;                       // m: x of the plane
 const Vec3 kMiddle(kPlane, -0.005, 0.02);              // m: inside the liver
 constexpr double kFromAngle = -0.62, kToAngle = 1.75;  // rad: from +Z towards +Y, round kMiddle
-constexpr int kAnchors = 64, kAcross = 6;              // points along the line, and up the fold
-constexpr double kHeight = 0.011;                      // m: mean height of the fold
+constexpr int kAnchors = 96, kAcross = 6;              // points along the line, and up the fold
+constexpr double kHeight = 0.0075;                     // m: mean height of the fold
 constexpr double kSunk = 0.0015;                       // m: its base lies in the liver
 
 void add(LiverAdnexa& to, AdnexaLook look, double fraction, std::size_t anchor, const Vec3& point) {
@@ -39,22 +39,29 @@ void addRows(TriangleMesh& mesh, std::size_t first, int rows, int width, bool cl
     }
 }
 
-// Where the ray from kMiddle at this angle leaves the liver.
+// A wave that never repeats visibly, -1 to 1.
+double wave(double x) {
+  return 0.55 * math::sin(x) + 0.30 * math::sin(2.31 * x + 1.0) + 0.15 * math::sin(4.73 * x + 2.0);
+}
+
+// Where the ray at this angle leaves the liver. It begins in the middle of the liver, a few
+// millimetres beside the plane, so that the line winds a little.
 Vec3 onLiver(double angle) {
+  const Vec3 middle = kMiddle + 0.0035 * wave(2.4 * angle) * Vec3::UnitX();
   const Vec3 way(0, math::sin(angle), math::cos(angle));
   double inside = 0, outside = 0.15;
   for (double d = outside; d > 0; d -= 0.002)
-    if (builtinLiverDistance(kMiddle + d * way) < 0) {
+    if (builtinLiverDistance(middle + d * way) < 0) {
       inside = d;
       break;
     } else {
       outside = d;
     }
   for (int i = 0; i < 20; ++i) {
-    const double middle = 0.5 * (inside + outside);
-    (builtinLiverDistance(kMiddle + middle * way) < 0 ? inside : outside) = middle;
+    const double d = 0.5 * (inside + outside);
+    (builtinLiverDistance(middle + d * way) < 0 ? inside : outside) = d;
   }
-  return kMiddle + inside * way;
+  return middle + inside * way;
 }
 
 Vec3 outwards(const Vec3& p) {
@@ -64,11 +71,6 @@ Vec3 outwards(const Vec3& p) {
     g[a] = builtinLiverDistance(p + kStep * Vec3::Unit(a)) -
            builtinLiverDistance(p - kStep * Vec3::Unit(a));
   return g.normalized();
-}
-
-// A wave that never repeats visibly, -1 to 1.
-double wave(double x) {
-  return 0.55 * math::sin(x) + 0.30 * math::sin(2.31 * x + 1.0) + 0.15 * math::sin(4.73 * x + 2.0);
 }
 
 void addFalciform(LiverAdnexa& to) {
@@ -83,10 +85,10 @@ void addFalciform(LiverAdnexa& to) {
     const Vec3 up = outwards(at);
     to.anchors.push_back(at - 0.004 * up);
     // Highest in front, lower towards the dome; the fold lies over to the left.
-    const double height = kHeight * (1.15 - 0.6 * share) * (1 + 0.25 * wave(along / 0.011)) + kSunk;
+    const double height = kHeight * (1.2 - 0.7 * share) * (1 + 0.35 * wave(along / 0.009)) + kSunk;
     for (int j = 0; j < kAcross; ++j) {
       const double t = double(j) / (kAcross - 1);
-      const double aside = height * (0.55 * t * t + 0.30 * t * wave(along / 0.0065 + 5));
+      const double aside = height * (0.35 * t * t + 0.45 * t * wave(along / 0.006 + 5));
       add(to, AdnexaLook::Ligament, t, std::size_t(i),
           at + (height * t * (1 - 0.25 * t) - kSunk) * up + aside * Vec3::UnitX());
     }

@@ -1,0 +1,115 @@
+// What hangs on the built-in liver follows its tissue.
+#include "operation/adnexa/adnexa.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "io/operation_setup.h"
+#include "io/plain_mesh.h"
+#include "io/scenario/scenario_file.h"
+#include "operation/live/present_surface.h"
+#include "operation/run.h"
+
+using namespace resect;
+
+namespace {
+
+Scenario liver(const std::string& organ, const std::string& tissue = "elastic") {
+  return parseScenario("title = \"Liver\"\nduration = 1\n[organ]\nspacing = \"10mm\"\n" + organ +
+                           "[organ.tissue]\nmodel = \"" + tissue + "\"\n",
+                       "test.toml");
+}
+
+const std::string kVessels = "vessels = \"built-in\"\n";
+const std::string kTurned = kVessels + "rotation = { axis = [0.3, 0.2, -0.9], degrees = 140 }\n";
+
+// Distance from the organ's present surface to the nearest of its vertices, m.
+double offSurface(const Simulation& simulation, const Vec3f& p) {
+  float least = 1;
+  for (const Vec3f& q : presentSurface(simulation).points)
+    least = std::min(least, (p - q).squaredNorm());
+  return std::sqrt(double(least));
+}
+
+// The largest of these distances for the points where the falciform ligament meets the liver.
+double ligamentOff(const Simulation& simulation, const SurfaceCopy& shapes) {
+  double most = 0;
+  for (std::size_t i = 0; i < shapes.points.size(); ++i)
+    if (shapes.cut[i] == float(int(AdnexaLook::Ligament)))
+      most = std::max(most, offSurface(simulation, shapes.points[i]));
+  return most;
+}
+
+int holes(const SurfaceCopy& shapes) {
+  return int(std::ranges::count(shapes.triangles, Triangle{0, 0, 0}));
+}
+
+void step(Simulation& simulation, int frames, const std::vector<TissueEdit>& edits = {}) {
+  StepReport report;
+  for (int i = 0; i < frames; ++i) {
+    FrameInput input;
+    input.duration = 1.0 / 60;
+    if (i == 0) input.edits = edits;
+    simulation.step(input, report);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("adnexa sit on the built-in liver however it lies, and follow it as it moves") {
+  for (const std::string& organ : {kVessels, kTurned}) {
+    Scenario scenario = liver(organ);
+    Simulation simulation = makeSimulation(scenario, readPlainMesh);
+    simulation.keepLook();
+    Adnexa adnexa;
+    const auto atRest = adnexa.follow(simulation);
+    REQUIRE(atRest);
+    CHECK(holes(*atRest) == 0);
+    CHECK(ligamentOff(simulation, *atRest) < 0.007);  // vertices are half a cell apart
+    CHECK(adnexa.follow(simulation) == atRest);       // nothing moved
+    step(simulation, 40);                             // it sinks
+    const auto later = adnexa.follow(simulation);
+    double moved = 0;
+    for (std::size_t i = 0; i < later->points.size(); ++i)
+      moved = std::max(moved, double((later->points[i] - atRest->points[i]).norm()));
+    CHECK(moved > 0.005);
+    CHECK(holes(*later) == 0);
+    CHECK(ligamentOff(simulation, *later) < 0.008);
+    for (const Vec3f& n : later->normals) CHECK(n.norm() == doctest::Approx(1).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("adnexa whose tissue is removed are no longer drawn") {
+  Scenario scenario = liver(kVessels, "still");
+  Simulation simulation = makeSimulation(scenario, readPlainMesh);
+  simulation.keepLook();
+  Adnexa adnexa;
+  const auto before = adnexa.follow(simulation);
+  REQUIRE(before);
+  // All tissue within 3 cm of a point of the ligament.
+  std::size_t middle = 0;
+  for (std::size_t i = 0; i < before->points.size(); ++i)
+    if (before->cut[i] == float(int(AdnexaLook::Ligament)) && middle == 0) middle = i + 180;
+  const Organ& organ = simulation.organ();
+  std::vector<TissueEdit> edits;
+  for (std::int64_t i = 0; i < std::int64_t(organ.alive.size()); ++i)
+    if (organ.alive[std::size_t(i)] &&
+        (organ.rest.lattice.centre(organ.rest.lattice.cell(i)).cast<float>() -
+         before->points[middle])
+                .norm() < 0.03)
+      edits.push_back({0, -1, RemoveCell{i}});
+  REQUIRE(edits.size() > 10);
+  step(simulation, 1, edits);
+  const auto after = adnexa.follow(simulation);
+  CHECK(holes(*after) > 20);
+  CHECK(holes(*after) < int(after->triangles.size()) / 2);
+}
+
+TEST_CASE("only the built-in liver with its vessels has adnexa") {
+  for (const char* organ : {"", "source = \"gallbladder\"\n"}) {
+    Scenario scenario = liver(organ, "still");
+    const Simulation simulation = makeSimulation(scenario, readPlainMesh);
+    CHECK_FALSE(Adnexa().follow(simulation));
+  }
+}
