@@ -106,6 +106,29 @@ TEST_CASE("a stroke over the dome or a lobe, along or across, opens the skin in 
     }
 }
 
+TEST_CASE("a shallow stroke, of less than a cell, opens the skin in few pieces") {
+  for (const auto& [from, to] : {std::pair(SbVec2s(-60, 30), SbVec2s(-20, -10)),
+                                 std::pair(SbVec2s(-10, 35), SbVec2s(0, -20)),
+                                 std::pair(SbVec2s(10, -10), SbVec2s(60, -25))}) {
+    Bench bench(0.008);
+    const SbVec2s begin = bench.onOrgan(from[0], from[1]), end = bench.onOrgan(to[0], to[1]);
+    bench.take(kScalpel, begin);
+    for (int i = 0; i < 5; ++i) bench.button(begin, true, SoMouseButtonEvent::BUTTON5);
+    REQUIRE(bench.tools().depth(kScalpel) == doctest::Approx(0.006));
+    bench.press(begin);
+    bench.draw(begin, end);
+    bench.release(end);
+    bench.waitSeconds(1.2);
+    const std::vector<int> holes = holesIn(*bench.session->room().organ());
+    REQUIRE_FALSE(holes.empty());
+    int corners = 0;
+    for (const int count : holes) corners += count;
+    const double share = double(std::ranges::max(holes)) / corners;
+    MESSAGE(holes.size(), " holes, the largest has ", 100 * share, " % of the rim");
+    CHECK(share > 0.4);
+  }
+}
+
 TEST_CASE("an instrument in hand hovers over the surface under the pointer") {
   Bench bench;
   const SbVec2s at = bench.onOrgan();
