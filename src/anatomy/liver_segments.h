@@ -13,8 +13,8 @@
 // Three half-planes divide the other terminals into four sections. The half-planes begin at an axis
 // near the vena cava, and run near the right, the middle and the left hepatic vein. Planes at right
 // angles to the axis then divide three of the sections: VII is above VI, VIII above V, and II above
-// III. Each border is placed by the vessels near it and by the usual volumes of the parts on both
-// sides (liver_borders.h).
+// III. The fourth section is segment IV. Each border is placed by the vessels near it and by the
+// usual volumes of the parts on both sides (liver_borders.h).
 //
 // At the end, borders are moved so that they cut fewer branches of the portal vein: if nearly all
 // terminals of a branch are in one segment, this segment gets the whole branch.
@@ -42,8 +42,8 @@ std::string_view romanNumber(int segment);
 
 class LiverSegments {
  public:
-  // The result is empty if the portal vein has fewer than 20 terminals, or if the hepatic veins do
-  // not have three main branches. Cost: 30 ms for 1000 terminals.
+  // The result is empty if LiverFrame::find() finds no frame (anatomy/liver_frame.h). Cost: 30 ms
+  // for 1000 terminals.
   static std::optional<LiverSegments> find(const Anatomy& anatomy);
 
   // The number, 1 to 8, of the Couinaud segment in which a point lies. place: in rest space, m. The

@@ -47,9 +47,8 @@ TerminalDistance terminalDistance(const Anatomy& anatomy, const TriangleMesh& su
 std::array<double, kLiverSegments> segmentVolumes(const LiverSegments& segments,
                                                   const TriangleMesh& surface);
 
-// A vessel with a name. It begins with a segment that is a root or whose parent has another name.
-// A descendant of this first segment also belongs to the vessel if this descendant and all segments
-// between the two have the same name.
+// A vessel with a name: a connected set of segments that all have this name. Its first segment is a
+// root, or has a parent with another name.
 struct NamedVessel {
   std::string name;
   VesselKind kind = VesselKind::PortalVein;

@@ -60,7 +60,7 @@ struct VesselClip {
   }
 };
 
-// A segment whose tissue has been separated from the body, the main part of the organ.
+// A segment that lies in tissue which has been separated from the body, the main part of the organ.
 struct SegmentPart {
   std::int32_t segment = -1;
   std::int32_t part = kCrumb;  // number of the separated piece, from 1 on; or kCrumb

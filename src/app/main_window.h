@@ -227,7 +227,7 @@ class MainWindow : public QMainWindow {
   bool attemptEnded_ = false;
   bool afterExercise_ = false;  // somebody goes on operating after an exercise
   bool waitsForHand_ = false;   // no instrument was taken yet, so the time has not started
-  std::vector<HaemostasisWatch> haemostasis_;  // of each instrument that closes vessels
+  std::vector<HaemostasisWatch> haemostasis_;  // one per instrument that closes vessels
   bool clampSaid_ = false;                     // the inflow was clamped at the last tick
   int haemorrhage_ = 1;                        // class of blood loss, 1 to 4, at the last tick
   bool menuOpen_ = false;                      // a menu was open at the last tick

@@ -3,8 +3,7 @@
 // waits for a whole picture. While something moves, strips are antialiased less often.
 //
 // The picture is drawn offscreen, and only changed pixels go to the screen. A QOpenGLWidget would
-// draw the whole window again for each picture. With software rendering, drawing the window took
-// two fifths of the time of all shading (docs/decisions/0003).
+// draw the whole window again for each picture (docs/decisions/0003).
 #pragma once
 
 #include <QElapsedTimer>

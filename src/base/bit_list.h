@@ -12,7 +12,7 @@ namespace resect {
 // Returns the end of these numbers in `list`. The function may overwrite up to 8 elements beyond
 // this end. first: at most 192, so that each sum fits into 8 bits.
 //
-// The function always writes eight indices at a time. It aims at four instructions per index.
+// The function always writes eight indices at a time.
 [[gnu::always_inline]] inline std::uint8_t* appendSetBits(std::uint64_t word, unsigned first,
                                                           std::uint8_t* list) {
   std::uint8_t* const end = list + std::popcount(word);

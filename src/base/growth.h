@@ -1,6 +1,5 @@
-// Grows large arrays with a thirty-second (3 %) of spare capacity. Doubling the capacity, as
-// std::vector does, would waste memory. Without any spare capacity, every growth would copy the
-// array.
+// Grows large arrays with a spare capacity of 1/32 (3 %). Doubling the capacity, as std::vector
+// does, would waste memory. Without any spare capacity, every growth would copy the array.
 #pragma once
 
 #include <algorithm>

@@ -1,10 +1,11 @@
 // Lets long work be stopped from outside, by Ctrl-C or a button.
 //
 // A thread registers a flag by which its work can be stopped (StopBy). parallelFor() checks the
-// flag before each block, and moveTissues() checks it before each time step of the tissue. Both
-// throw Cancelled if the flag is set. Without a flag, work cannot be stopped. Results do not depend
-// on whether there is a flag. If an object was being changed when the work was stopped, the object
-// is left half changed. Destroy it, or restore it from a saved state.
+// flag before each block, and moveTissues(), which moves the tissue of a frame, checks the flag
+// before each time step. Both throw Cancelled if the flag is set. Without a flag, work cannot be
+// stopped. Results do not depend on whether there is a flag. If an object was being changed when
+// the work was stopped, the object is left half changed. Destroy it, or restore it from a saved
+// state.
 #pragma once
 
 #include <atomic>

@@ -24,17 +24,17 @@ struct BloodLedger {
   Picolitres pools = 0;     // on the table
   Picolitres sucked = 0;    // removed by suction
   Picolitres absorbed = 0;  // soaked up by gauze
-  Picolitres lost = 0;      // fell beside the table, or down where there is no table
+  Picolitres lost = 0;      // fell past the table, or fell where there is no table
 
   Picolitres found() const { return film + clotted + drops + pools + sucked + absorbed + lost; }
 };
 
-// An open end of a vessel. Blood flows out of it, or it draws in air.
+// An open end of a vessel. Blood flows out of the end, or air is drawn into it.
 struct BleedingEnd {
   std::int32_t organ = 0, segment = -1;
   VesselEnd end = VesselEnd::Root;
   Vec3 place = Vec3::Zero();  // world, m
-  double flow = 0;            // m^3/s; negative: of air, inwards
+  double flow = 0;            // out of the end, m^3/s; negative: air is drawn in
   double radius = 0;          // of the vessel, m
 };
 

@@ -118,7 +118,8 @@ class GrowingVessels {
     std::vector<double> radius;
   };
   mutable std::array<KnownRadii, 2> knownRadii_;
-  std::vector<std::vector<int>> bins_;  // per bin: nodes whose segments pass near it
+  // Bins are the boxes of a grid. Per bin: the nodes whose segments pass near the bin.
+  std::vector<std::vector<int>> bins_;
   Vec3i binDims_;
   Vec3 binOrigin_;
 };

@@ -9,13 +9,13 @@
 
 namespace resect {
 
-// Appends the segments of the artery, then the segments of the bile duct. A kind that `segments`
-// contains already is not grown. segments: the segments of the portal vein, then the segments of
-// other kinds; each segment after its parent. At each fork of the vein, the artery runs on one side
-// of the fork's plane and the duct on the other side. Artery and duct consist of straight pieces.
-// Where they wind round the vein, each piece winds by less than 30 degrees. A branch that would
-// meet another vessel is pushed aside, narrowed, or led round that vessel. If all this fails, the
-// branch ends before the other vessel.
+// Appends the segments of the artery, then the segments of the bile duct. If `segments` already
+// contains an artery, no artery is grown; the same holds for the bile duct. segments: the segments
+// of the portal vein, then the segments of other kinds; each segment after its parent. At each fork
+// of the vein, the artery runs on one side of the fork's plane and the duct on the other side.
+// Artery and duct consist of straight pieces. Where they wind round the vein, each piece winds by
+// less than 30 degrees. A branch that would meet another vessel is pushed aside, narrowed, or led
+// round that vessel. If all this fails, the branch ends before the other vessel.
 void addTriads(std::vector<VesselSegment>& segments, const VesselGrowth& settings,
                const OrganInside& inside);
 

@@ -14,8 +14,8 @@
 namespace resect {
 
 // A tree of neighbouring cells. Cell 0 is the root; every other cell comes after its parent. A
-// branch stops before the wall at the end of the shape. The gap is about the depth of the branch's
-// last cell.
+// branch does not reach the wall at the end of the shape. The gap is about equal to the depth of
+// the branch's last cell below the wall (SolidShape::depth).
 struct Skeleton {
   std::vector<std::int64_t> cells;  // indices of cells in the shape's lattice
   std::vector<int> parents;         // index in `cells`; -1 for the root
@@ -29,7 +29,7 @@ std::vector<Skeleton> skeletons(const SolidShape& shape);
 // Moves the roots of trees that meet outside the shape, as the hepatic veins do in the vena cava.
 // The meeting point is an end of one of the trees. It is found as follows. For each end, the
 // distances to the nearest end of every other tree are added. The end with the least sum is the
-// meeting point. Trees with less than a fifth of the cells of the largest tree are not counted.
+// meeting point. This search ignores trees with less than a fifth of the cells of the largest tree.
 // Then, in each tree, the end nearest to the meeting point becomes the root. A single tree is not
 // changed.
 void rootTogether(const SolidShape& shape, std::vector<Skeleton>& trees);

@@ -69,7 +69,7 @@ class AttemptScorer {
 
 AttemptResult resultOf(const Scored& scored);
 
-// Whether both give the same verdict, for the same reasons.
+// Whether both results have the same verdict, for the same reasons.
 bool agree(const AttemptResult& a, const AttemptResult& b);
 
 // Reads the result from the output of `resect report --json -`; no value if the output is not

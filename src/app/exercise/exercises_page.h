@@ -27,7 +27,7 @@ class ExercisesPage : public QWidget {
   void show(const std::vector<Exercise>& exercises, const std::vector<HistoryEntry>& done,
             const QStringList& learners, const QString& learner, const QString& folder);
   QString learner() const;
-  bool asTest() const;  // whether exercises are started as tests
+  bool asTest() const;  // whether exercises begin as graded tests, without undo
   // Shows a sentence about work in progress; empty: no work is in progress.
   void say(const QString& sentence);
 

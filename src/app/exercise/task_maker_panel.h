@@ -50,7 +50,8 @@ class TaskMakerPanel : public QWidget {
   void addTry(const QString& words, bool good);
   void clearTries();
   std::vector<std::size_t> references() const;  // indices of the ticked attempts, ascending
-  bool bandWanted() const;  // whether an attempt must have figures near those of the references
+  // Whether an attempt passes only with figures near those of the references.
+  bool bandWanted() const;
 
   std::function<void(bool)> markingWanted;
   std::function<void()> goalChanged, lastMarkRemoved, tried, saved, closed;

@@ -20,8 +20,8 @@ std::vector<std::string> languageCodes();
 // Sets the language for all texts of the window that are made from now on. given: a code of
 // kLanguages. If `given` is empty, the language is the one that the user chose in the menu. If the
 // user never chose one, it is the first of the system's languages for which there is a translation,
-// or English if there is none. To be called once, after QApplication and the names for its settings
-// were set up.
+// or English if there is none. To be called once, after QApplication was made and its names
+// (organisation and program) were set.
 void useLanguage(const std::string& given);
 
 bool isTranslated();  // whether the language in use is not English

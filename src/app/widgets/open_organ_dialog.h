@@ -89,8 +89,8 @@ class OpenOrganDialog : public QDialog {
   // Area and volume of the surface, in units squared and units cubed. The volume is 0 if the
   // surface does not enclose a volume.
   double area_ = 0, volume_ = 0;
-  // Volume of each part of a model; 0: the part is open. The volumes are in ml if one unit of the
-  // file is 1 m.
+  // Volume of each part of a model, ml, computed as if the unit of the file were 1 m; 0: the part
+  // is open.
   std::vector<double> partVolumes_;
   int cavities_ = 0;            // number of shells of the surface that bound cavities
   bool unitChosen_ = false;     // the user has chosen a unit

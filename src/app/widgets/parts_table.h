@@ -21,8 +21,8 @@ class PartsTable : public QTableWidget {
   // gallbladder.
   //
   // If no part has the name of an organ's tissue, other rules apply. In an image, all labels are
-  // left out. In a model, the parts that the first rules leave out become the organ, and the other
-  // parts keep their roles. If the first rules leave out no part of the model, all parts become the
+  // left out. In a model, the parts that the rules above leave out become the organ, and the other
+  // parts keep their roles. If the rules above leave out no part of the model, all parts become the
   // organ.
   void fill(const std::vector<FilePart>& parts, bool image);
   void setAbout(int row, const QString& about) { item(row, 1)->setText(about); }

@@ -1,9 +1,9 @@
 // One digest per named field of a state, cheap enough for every frame.
 //
 // With the digests two states can be compared field by field, even if the states themselves are not
-// kept. For example, a recording holds the digests of each frame. If a digest differs, its field
-// differs. Fields with the same path, such as the displacements of several organs, share a digest.
-// Cost: 0.1 ms per MB of state.
+// kept. For example, a recording holds the digests of each frame. If the digests of a field differ,
+// the field differs. A field is named by its path, such as "organs.tissue.u". Fields with the same
+// path, such as the displacements of several organs, share a digest. Cost: 0.1 ms per MB of state.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ class FieldHashes final : public StateVisitor {
   // of the program made this state.
   bool strange() const { return strange_; }
 
-  // Paths, such as "organs.tissue.u", in the order in which visit() first names them.
+  // Paths in the order in which visit() first names them.
   const std::vector<std::string>& paths() const { return paths_; }
   // One digest per path.
   const std::vector<std::uint64_t>& values() const { return values_; }

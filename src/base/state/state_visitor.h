@@ -18,8 +18,8 @@
 //   - a vector of numbers, of enums, of matrices, of arrays of numbers, or of structs;
 //   - a std::optional, which counts as a list of at most one entry.
 //
-// Names are string literals. A visitor that only reads must not write to the fields, since
-// visitState() gives it const objects.
+// Names are string literals. visitState() passes the fields of const objects, so a visitor that is
+// used with visitState() must not write to the fields.
 #pragma once
 
 #include <Eigen/Geometry>
