@@ -31,7 +31,7 @@ class EightNearest {
   Vec3 first_ = Vec3::Zero();  // lowest corner of the boxes, m
   double side_ = 1;            // of a box, m
   Vec3i count_ = Vec3i::Zero();
-  // Where each box's list begins in lists_; at the end, where the last list ends.
+  // Index in lists_ where each box's list begins. The last entry is the end of the last list.
   std::vector<std::int32_t> begin_;
   std::vector<std::int32_t> lists_;  // indices of places, box by box
 };

@@ -20,8 +20,8 @@ struct LiverFrame {
   Vec3 fork = Vec3::Zero();   // the portal vein's fork: its first division into main branches, m
   Vec3 cava = Vec3::Zero();   // where the hepatic veins meet, m
   // Unit vectors at right angles. up: from `entry` to `cava`. The axis is the line through `cava`
-  // in the direction `up`. `ahead` points away from that side of the axis on which the liver
-  // extends least.
+  // in the direction `up`. On one side of the axis the liver extends least; `ahead` points away
+  // from this side.
   Vec3 up = Vec3::Zero(), ahead = Vec3::Zero(), left = Vec3::Zero();
   // First segments of the right, middle and left hepatic vein.
   std::array<std::int32_t, 3> trunks{};

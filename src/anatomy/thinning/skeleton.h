@@ -1,9 +1,10 @@
 // The skeleton of a branching shape: trees of cells that follow the middle of the shape.
 //
-// Method: TEASAR (Sato et al. 2000, 10.1109/PCCGA.2000.883951). In each connected part, paths from
-// a root to the farthest cells are found one after another. A path ends where it meets an earlier
-// path. Cells close to a path cannot be the ends of later paths. A step near the wall of the shape
-// costs more than a step far from the wall, so paths run in the middle of the shape.
+// Method: TEASAR (Sato et al. 2000, 10.1109/PCCGA.2000.883951). In each connected part, paths are
+// found one after another. Each path leads from the farthest remaining cell towards the root, and
+// ends where it meets an earlier path. Later paths cannot begin at cells close to this path. A step
+// near the wall of the shape costs more than a step far from the wall, so paths run in the middle
+// of the shape.
 #pragma once
 
 #include <cstdint>
