@@ -76,10 +76,10 @@ struct SegmentPart {
 struct VesselState {
   std::vector<VesselInjury> injuries;  // ascending by segment
   std::vector<VesselClip> clips;       // ascending by segment and share
-  std::vector<std::int32_t> bared;  // segments that are bare (not in tissue) somewhere; ascending
-  std::vector<SegmentPart> apart;   // ascending by segment
-  bool inflowClamped = false;       // portal vein and artery are closed outside the organ
-  double clampedTime = 0;           // total time with the inflow clamped, s
+  std::vector<std::int32_t> bared;     // segments with a bare piece (not in tissue); ascending
+  std::vector<SegmentPart> apart;      // ascending by segment
+  bool inflowClamped = false;          // portal vein and artery are closed outside the organ
+  double clampedTime = 0;              // total time with the inflow clamped, s
 
   const VesselInjury* injury(std::int32_t segment) const;
   // clipped(injury, end): whether a clip closes this end of an injured vessel. clipped(segment):

@@ -55,8 +55,8 @@ class AttemptScorer {
                 const std::filesystem::path& history, bool names, std::function<void()> written,
                 std::function<void(QString)> failed);
   // Stops waiting for the work in progress. The work goes on to its end, but the functions that
-  // were given for this work are no longer called. score() and tabulate() call leave() first. The
-  // work goes on to its end even if this object is destroyed.
+  // were given for this work are no longer called. score() and tabulate() call leave() first.
+  // Destroying this object does not stop the work either.
   void leave();
 
  private:
