@@ -55,8 +55,9 @@ class AttemptScorer {
                 const std::filesystem::path& history, bool names, std::function<void()> written,
                 std::function<void(QString)> failed);
   // Stops waiting for the work in progress. The work goes on to its end, but the functions that
-  // were given for this work are no longer called. score() and tabulate() call leave() first.
-  // Destroying this object does not stop the work either.
+  // were given for this work are no longer called. score() and tabulate() call leave() first. If
+  // this object is destroyed, the work is started anew in a process that does not depend on this
+  // program.
   void leave();
 
  private:
