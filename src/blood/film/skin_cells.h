@@ -1,9 +1,10 @@
-// The skin cells of an organ, over which blood runs. A skin cell is a particle with a free face. A
+// The skin cells of an organ, over which blood runs. Tissue fills cells of the organ's lattice; a
+// cell with tissue is also called a particle. A skin cell is a particle with a free face. A
 // SkinCell describes the shape of the skin at the particle's free faces.
 //
-// A particle's face is free where no bonded particle lies beyond it: on the organ's surface, on the
-// walls of a wound, and on the lips of an incision that is closed. Everything here is derived from
-// the organ and its tissue.
+// A face of a particle is free if no bond crosses it. Such faces lie on the organ's surface, on the
+// walls of a wound, and on the lips of an incision that is closed. All data here are derived from
+// the organ and its tissue, so they are not saved.
 #pragma once
 
 #include <array>
