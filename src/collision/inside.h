@@ -28,8 +28,8 @@ std::vector<std::uint8_t> insideFlags(const TriangleMesh& mesh, std::span<const 
 // Points that are inside the tool at `from` or at `to` are always included. If the tool does not
 // rotate, the answer is exact: in the tool's frame all points move along one direction, and columns
 // are cast along this direction. If the tool rotates, the motion is divided into steps of at most 2
-// degrees. In the tool's frame, the path of a point in a step is curved. It may deviate from its
-// chord by at most 1e-4 of the diagonal of the tool's bounding box; otherwise smaller steps are
+// degrees. In the tool's frame, the path of a point in a step is curved. The path may deviate from
+// its chord by at most 1e-4 of the diagonal of the tool's bounding box; otherwise smaller steps are
 // used. There are at most 4096 steps. In each step the chord replaces the path, and is tested
 // against the tool's faces with exact integer edge functions. The cost grows with the number of
 // points in the box round the whole motion.

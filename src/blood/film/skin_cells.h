@@ -44,7 +44,7 @@ struct SkinCell {
   // sets below, d is the number of the direction to a neighbour (tissue/stencil.h).
   Vec3f normal = Vec3f::Zero(), offset = Vec3f::Zero();
   float area = 0;          // area of the skin at this cell, at rest, m^2
-  std::uint32_t free = 0;  // bit d: the bond to a particle in direction d is severed
+  std::uint32_t free = 0;  // bit d: there is a particle in direction d; its bond is severed
   std::uint32_t ways = 0;  // bit d: blood can run to the skin cell in direction d
   std::uint32_t open = 0;  // bit d: the face in direction d is free (6 directions only)
   bool skin = false;

@@ -16,10 +16,10 @@ inline constexpr double kBorneLoss = 0.15;
 // doi:10.1097/00000542-200701000-00026).
 inline constexpr double kBorneAir = 50e-6, kDeadlyAir = 300e-6;
 
-// How one kind of vessel is connected to the rest of the body. The source is a place outside the
-// organ with a given pressure. For the hepatic veins it is the vena cava, into which they drain.
-// The flow is the flow through an organ without injuries. It is negative for the hepatic veins,
-// since their blood leaves the organ.
+// How one kind of vessel is connected to the rest of the body. The source is the place outside the
+// organ to which these vessels lead. For the hepatic veins it is the vena cava. The flow is that
+// into an organ without injuries. For the hepatic veins the flow is negative, since their blood
+// leaves the organ.
 struct Supply {
   double pressure = 0;    // of the source, Pa
   double resistance = 0;  // between the source and the root of the vessel tree, Pa s/m^3
