@@ -13,8 +13,8 @@ class Option;
 
 namespace resect {
 
-// An option of a command, or a positional argument. An Option is a handle and may be copied. Each
-// call changes the option itself, not the handle.
+// An option of a command, or a positional argument. An Option is a handle and may be copied. Its
+// functions change the option itself, not the handle.
 class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}

@@ -20,8 +20,8 @@ struct OrganOptions {
   // Overwrites those settings of `source` for which an option was given.
   void applyTo(OrganSource& source) const;
   // Applies the options to the first organ of a scenario. If `organ` is not empty, it replaces the
-  // file of the first organ. If the spacing of the first organ changes, the spacings of the other
-  // organs change in proportion.
+  // file of the first organ. If the spacing of the first organ (the side of its cells) changes, the
+  // spacings of the other organs change in proportion.
   void applyTo(Scenario& scenario, const std::string& organ) const;
 };
 

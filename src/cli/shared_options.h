@@ -56,8 +56,8 @@ void setBreathing(Scenario& scenario, const std::string& depth);
 // Adds --threads, 0 to 1024.
 void addThreadsOption(Command command, int& threads);
 
-// Adds --part, which may be given several times. The names that the user gives are written to
-// `part` in the form of OrganMeshOptions::part (io/organ_mesh.h).
+// Adds --part, the name of a part of a model file. It may be given several times. The names are
+// written to `part` in the form of OrganMeshOptions::part (io/organ_mesh.h).
 void addPartOption(Command command, std::string& part);
 
 // Adds --overwrite. numbered: says in the help what the option may remove, for example "the
@@ -75,8 +75,8 @@ struct RecordedPart {
 
   void check() const;                                // throws a usage Error unless 0 <= from <= to
   std::int64_t branchIn(RecordingFile& file) const;  // the branch's number
-  // The frames of this part, on the way from the beginning of the recording to the end of the
-  // branch. Throws Error if the part has no frames.
+  // The frames of this part. They lie on the path from the beginning of the recording to the end of
+  // the branch. Throws Error if the part has no frames.
   std::vector<CourseSpan> of(RecordingFile& file, double frameRate) const;
 };
 

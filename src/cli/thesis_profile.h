@@ -1,8 +1,8 @@
-// A flat profile of an operation in the form of gprof. It lists the stages of a step with their
-// numbers of calls, sorted by the time that each stage took. Resect continues a thesis of 2004. For
-// each stage, the profile also names the functions of the thesis's program that did the same work.
-// The profile also gives the share of that program's time that these functions took (appendix A of
-// the thesis).
+// A flat profile of an operation in the form of gprof. It lists the stages of a simulation step
+// with their numbers of calls, sorted by the time that each stage took. Resect continues a thesis
+// of 2004. For each stage, the profile names the functions of the thesis's program that did the
+// same work. It also says which share of the running time of the thesis's program these functions
+// took (appendix A of the thesis).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -12,9 +12,9 @@ inline constexpr double kMostLostTissue = 0.02;
 inline constexpr double kFewestParticles = 2000;
 
 // Side, m, of the largest cubic cells that meet two conditions: the share of lost tissue
-// (WallThickness::lostAt()) is at most kMostLostTissue, and the organ has at least kFewestParticles
-// particles. The side is a multiple of 0.01 mm, from 0.01 to 100 mm. The mesh must be closed and
-// oriented outwards. The cost is that of wallThickness().
+// (WallThickness::lostAt() in collision/wall_thickness.h) is at most kMostLostTissue, and the organ
+// has at least kFewestParticles particles. The side is a multiple of 0.01 mm, from 0.01 to 100 mm.
+// The mesh must be closed and oriented outwards. The cost is that of wallThickness().
 double coarsestCell(const TriangleMesh& surface);
 
 }  // namespace resect

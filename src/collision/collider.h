@@ -1,5 +1,5 @@
-// Layered depth images of closed bodies, and the volume that two bodies share. The work has the
-// three stages of the original thesis (2004, sections 2.2.1 and 4.3):
+// Layered depth images of closed bodies, and the volume that two bodies share. The work has three
+// stages, as in the thesis of 2004 that Resect continues (sections 2.2.1 and 4.3):
 //
 //     // 1. The volume of interest, and pixels over it.
 //     const Aabb common = intersection(bounds(organ), bounds(tool));
@@ -16,9 +16,9 @@
 //
 // A pixel stands for the column (line along z) through its centre. The pixel holds those intervals
 // of this column that are inside the body, clipped to the volume of interest. All columns run along
-// z, so one raster per mesh serves all queries. Another direction would not be more exact: in every
-// direction the error of the volume shrinks with the size of the pixels. Source: Heidelberger,
-// Teschner, Gross (2003).
+// z, so one raster per mesh (collision/columns.h) serves all queries. Another direction would not
+// be more exact: in every direction the error of the volume shrinks with the size of the pixels.
+// Source: Heidelberger, Teschner, Gross (2003).
 #pragma once
 
 #include <span>

@@ -91,8 +91,8 @@ Crossings castColumns(const SnappedMesh& mesh, const ColumnGrid& grid);
 Crossings castColumns(const SnappedMesh& mesh, std::span<const Vec2> columns);
 
 // For each point, the sum of the signs of the crossings below the point (their depth is less than
-// the point's z). If all shells of the mesh face outwards, this sum is the number of shells that
-// surround the point. So it is 0 outside and > 0 inside.
+// the point's z). If all shells (connected components) of the mesh face outwards, this sum is the
+// number of shells that surround the point. So it is 0 outside and > 0 inside.
 std::vector<std::int32_t> windingNumbers(const SnappedMesh& mesh, std::span<const Vec3> points);
 
 // Calls visit(z0, z1) for every interval of a column that lies inside the body (winding number >

@@ -1,9 +1,9 @@
 // The surface that a cutting edge sweeps between two poses, and the point where a straight segment
 // crosses this surface.
 //
-// The edge is a poly-line in the tool's frame. It sweeps a strip of triangles; neighbouring
-// triangles have exactly the same corners at their common side. A motion with rotation is divided
-// into steps, so that the strip stays within `flatness` of the edge's true path.
+// The edge is a poly-line in the tool's frame. It sweeps a strip of triangles. Where two triangles
+// share a side, they have exactly the same corners. A motion with rotation is divided into steps,
+// so that the strip stays within `flatness` of the edge's true path.
 //
 // No segment slips through between two triangles, since each triangle extends beyond its sides by
 // kBladeReach of its size. "Above the strip" means the side to which the normals point. If an end
@@ -43,9 +43,9 @@ struct SweptBlade {
 };
 
 // `edge`: points in the tool's frame, m; fewer than two points sweep nothing. `flatness` > 0, m:
-// largest distance between the path of a point of the edge in one step and the chord of this path.
-// The pose is interpolated as in geometry/pose.h: the position linearly, the rotation along the
-// shorter great circle.
+// largest distance between the path of a point of the edge in one step of the motion and the chord
+// of this path. The pose is interpolated as in geometry/pose.h: the position linearly, the rotation
+// along the shorter great circle.
 SweptBlade sweepBlade(std::span<const Vec3> edge, const Pose& from, const Pose& to,
                       double flatness = 1e-4);
 

@@ -5,7 +5,8 @@
 // the face diagonals and the space diagonals of a cube. The direction nearest to the normal of the
 // surface is taken. The measured length is multiplied by the cosine of the angle between the line
 // and the normal. So the thickness of a flat wall is exact. For a solid ball, the measured
-// thickness is up to a quarter smaller than the ball's diameter.
+// thickness is up to a quarter smaller than the ball's diameter, since the line does not always
+// pass through the centre.
 #pragma once
 
 #include <vector>

@@ -37,7 +37,8 @@ struct ModelInfo {
   int components = 0;
   bool closed = false, oriented = false, insideOut = false;
   int boundaryEdges = 0, nonManifoldEdges = 0;
-  // The unit in which the model would have the size of an organ. Empty if that unit is the metre.
+  // Name of the unit of length in which the model would have the size of an organ. Empty if the
+  // model has this size already, or if it would have this size in no unit.
   std::string unitHint;
   // The fields below come from prepareOrganMesh() (io/organ_mesh.h). If this function refuses the
   // model, organVolume is empty and `refusal` is the function's error message. Otherwise

@@ -17,8 +17,8 @@ struct RgbImage {
 };
 
 // Call this before long work whose result will be written to the file. Throws Error if the file
-// cannot be written (findTarget() in io/output/output_target.h). Throws a usage Error unless the
-// name ends in .png. The name of a device or pipe may also have no extension.
+// cannot be written (findTarget() in io/output/output_target.h). The name must end in .png; the
+// name of a device or a pipe may also have no extension. For any other name, throws a usage Error.
 void checkPngFile(const std::filesystem::path& path);
 
 // The bytes of a PNG file that shows the image. The file has 8 bits per channel and is sRGB. Width

@@ -47,7 +47,7 @@ struct FilmVolumes {
 
 class BloodFilm {
  public:
-  // Finds the organ's skin. Call it once, and again after the organ was restored.
+  // Finds the organ's skin. Call it once, and again after a saved state of the organ was restored.
   void setUp(const OperatedOrgan& organ);
   // Updates the skin near `cells`: the cells at which cuts, tears or the removal of tissue may have
   // changed the skin. If a cell no longer has skin, its blood goes to the lowest skin cell beside
@@ -61,12 +61,11 @@ class BloodFilm {
   // them. Call it once per frame, after the tissue has moved.
   void place(const OperatedOrgan& organ);
   // Computes the flow in a frame that lasts `duration`, s. Appends to `drops` the blood that drips.
-  // table: whether there is a table. Where skin touches the table, blood runs onto the table; this
-  // blood is also appended to `drops`, at height 0.
+  // table: whether there is a table. Where skin touches the table, blood runs onto the table. This
+  // blood is appended to `drops`, too, at height 0.
   void step(double duration, bool table, std::vector<BloodDrop>& drops);
 
-  // Call this at the end of a frame. It writes the wet cells to wet(), which is the part that saved
-  // states contain.
+  // Call this at the end of a frame. It writes the wet cells to wet(). Saved states contain wet().
   void collect();
 
   void add(std::int64_t cell, Picolitres volume);

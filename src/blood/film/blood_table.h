@@ -1,4 +1,5 @@
-// Blood on the table, as puddles on a grid of square patches.
+// Blood on the table, which is covered with cloth. The blood forms puddles on a grid of square
+// patches.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +28,7 @@ class BloodTable {
   // Adds blood at a point in the world. Returns false, and adds nothing, if the point is not on the
   // table.
   bool add(const Vec3& place, Picolitres volume);
-  // Computes a frame: the puddles level out, and deep puddles spread over the table's dry cloth.
+  // Computes a frame: the puddles level out, and deep puddles spread over dry cloth beside them.
   void step();
   // Takes blood from the patches whose middles are within `radius`, m, of a point in the world.
   // Takes at most the volume `most` in all. Returns the volume taken.

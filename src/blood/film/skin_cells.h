@@ -1,9 +1,10 @@
-// The skin cells of an organ, over which blood runs. A skin cell is a particle with a free face. A
+// The skin cells of an organ, over which blood runs. Tissue fills cells of the organ's lattice; a
+// cell with tissue is also called a particle. A skin cell is a particle with a free face. A
 // SkinCell describes the shape of the skin at the particle's free faces.
 //
-// A particle's face is free where no bonded particle lies beyond it: on the organ's surface, on the
-// walls of a wound, and on the lips of an incision that is closed. Everything here is derived from
-// the organ and its tissue.
+// A face of a particle is free if no bond crosses it. Such faces lie on the organ's surface, on the
+// walls of a wound, and on the lips of an incision that is closed. All data here are derived from
+// the organ and its tissue, so they are not saved.
 #pragma once
 
 #include <array>
@@ -43,7 +44,7 @@ struct SkinCell {
   // sets below, d is the number of the direction to a neighbour (tissue/stencil.h).
   Vec3f normal = Vec3f::Zero(), offset = Vec3f::Zero();
   float area = 0;          // area of the skin at this cell, at rest, m^2
-  std::uint32_t free = 0;  // bit d: the bond to a particle in direction d is severed
+  std::uint32_t free = 0;  // bit d: there is a particle in direction d; its bond is severed
   std::uint32_t ways = 0;  // bit d: blood can run to the skin cell in direction d
   std::uint32_t open = 0;  // bit d: the face in direction d is free (6 directions only)
   bool skin = false;

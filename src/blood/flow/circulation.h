@@ -8,17 +8,18 @@ inline constexpr double kBloodDensity = 1060;      // kg/m^3
 inline constexpr double kBloodViscosity = 3.5e-3;  // Pa s
 inline constexpr double kEarth = 9.81;             // gravity, m/s^2
 
-// The largest loss of blood, as a fraction of all blood, that the body can compensate by itself.
-// Larger losses are classes II to IV of haemorrhage (American College of Surgeons, ATLS 2018).
+// The largest loss of blood that the body can compensate by itself, as a fraction of all blood.
+// Larger losses are haemorrhages of the classes II to IV (American College of Surgeons, ATLS 2018).
 inline constexpr double kBorneLoss = 0.15;
 // Volumes of air in the heart, m^3. More than kBorneAir hinders the heart (estimate). kDeadlyAir
 // kills an adult if it enters all at once (200 to 300 ml: Mirski et al. 2007,
 // doi:10.1097/00000542-200701000-00026).
 inline constexpr double kBorneAir = 50e-6, kDeadlyAir = 300e-6;
 
-// The supply of one kind of vessel: a source, the resistance between the source and the organ, and
-// the flow through an organ without injuries. The source of the hepatic veins is the vena cava. The
-// flow of the hepatic veins is negative, since it leaves the organ.
+// How one kind of vessel is connected to the rest of the body. The source is the place outside the
+// organ to which these vessels lead. For the hepatic veins it is the vena cava. The flow is that
+// into an organ without injuries. For the hepatic veins the flow is negative, since their blood
+// leaves the organ.
 struct Supply {
   double pressure = 0;    // of the source, Pa
   double resistance = 0;  // between the source and the root of the vessel tree, Pa s/m^3
@@ -31,9 +32,9 @@ struct SourceShares {
 };
 
 // Values before any bleeding. Blood flows through the organ at 1.5 l/min: a quarter comes from the
-// artery, three quarters come from the portal vein. The pressures are 8 mmHg in the portal vein (90
-// mmHg at its source), 3 mmHg in the vena cava and 5 mmHg in the sinusoids, which are the liver's
-// capillaries (docs/methods/blood.md).
+// artery, three quarters come from the portal vein. The pressures are 8 mmHg in the portal vein, 90
+// mmHg at the source of the portal vein, 3 mmHg in the vena cava, and 5 mmHg in the sinusoids,
+// which are the liver's capillaries (docs/methods/blood.md).
 struct Circulation {
   Supply portal{90 * kMmHg, 4.37e6 * kMmHg, 18.75e-6};
   Supply hepatic{3 * kMmHg, 0.02e6 * kMmHg, -25e-6};

@@ -11,8 +11,8 @@
 namespace resect {
 
 // For each cell, the part of the tissue to which the cell belongs. 0: the body. 1 or more: the
-// number of a separated piece. SegmentPart::kCrumb: the cell is debris or has no tissue. The cost
-// is that of tissueParts() (organ/parts/tissue_parts.h).
+// number of a separated piece. SegmentPart::kCrumb: the cell belongs to debris (tiny pieces) or has
+// no tissue. The cost is that of tissueParts() (organ/parts/tissue_parts.h).
 std::vector<std::int32_t> partOfCells(const OperatedOrgan& organ);
 
 // The vessel segments that do not belong to the body, by ascending number. A segment belongs to the

@@ -1,11 +1,13 @@
 // Pressure and flow in vessels with injuries.
 //
-// The resistance of a vessel follows Poiseuille's law. At an open end there is a further loss of
-// pressure by the kinetic energy of the jet: dp = 1.56 rho |Q| Q / (2 A^2), with the density rho of
-// blood, the flow Q and the open area A. The leaves of a vessel tree, its last segments, end in the
-// liver's capillaries, the sinusoids. In each connected part of the tissue, all sinusoids have one
-// common pressure. At this pressure, the flow into the part's sinusoids equals the flow out of
-// them. If no vessel connects a part to a source any more, nothing flows in the part.
+// Each kind of vessel forms trees of segments. The root of a tree is connected to a source outside
+// the organ (blood/flow/circulation.h). The resistance of a vessel follows Poiseuille's law. At an
+// open end there is a further loss of pressure by the kinetic energy of the jet: dp = 1.56 rho |Q|
+// Q / (2 A^2), with the density rho of blood, the flow Q and the open area A. The leaves of a tree
+// (its last segments) end in the liver's capillaries, the sinusoids. In each connected part of the
+// tissue, all sinusoids have one common pressure. At this pressure, the flow into the part's
+// sinusoids equals the flow out of them. If no vessel connects a part to a source any more, nothing
+// flows in the part.
 //
 // A cut, a clip or a clamp can separate branches of the portal vein or of the artery from their
 // source. Blood can then flow back from the sinusoids into these branches, and the sinusoids
@@ -39,11 +41,12 @@ class VesselFlow {
   VesselFlow() = default;
   VesselFlow(std::shared_ptr<const VesselMap> map, const Circulation& circulation);
 
-  // Computes the flows out of all open ends and writes them to state.injuries. A flow is negative
-  // only at wide hepatic veins, which draw in air. The air flows in only as fast as blood makes
-  // room for it. outside: one entry per injury. sources: the present pressures of the sources.
-  // sinusoids: the pressures in the sinusoids, Pa, one for each part of the tissue (SegmentPart),
-  // the body first. The caller passes the pressures from the last call, and solve() updates them.
+  // Computes the flows out of all open ends and writes them to state.injuries. A negative flow is
+  // air that is drawn in. This happens only at wide hepatic veins, and only as fast as blood in the
+  // vein makes room for the air. outside: one entry per injury. sources: the present pressures of
+  // the sources. sinusoids: the pressures in the sinusoids, Pa, one for each part of the tissue
+  // (SegmentPart), the body first. The caller passes the pressures from the last call, and solve()
+  // updates them.
   //
   // The pressure loss at an end depends on the flow. So each call does four iterations, which start
   // from the flows of the last call. After a change, the flow is steady only after several calls.

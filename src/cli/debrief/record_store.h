@@ -1,7 +1,7 @@
 // Sends statements, which say what a learner did, to a learning record store (xAPI 1.0.3) over the
 // network.
 //
-// No other C++ code of Resect uses the network. The function is called only if the user gives a
+// No other C++ code of Resect uses the network. sendStatements() is called only if the user gives a
 // URL.
 #pragma once
 

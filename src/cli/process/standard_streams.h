@@ -17,9 +17,8 @@ void openStandardStreams();
 // was written.
 void finishStandardOutput();
 
-// The stream for text to people. It is standard output, unless one of `outputs` goes to standard
-// output (isStandardOutput()). In that case it is standard error, so that text and output do not
-// mix.
+// The stream for text that people read. It is standard error if one of `outputs` goes to standard
+// output (isStandardOutput()), so that text and output do not mix. Otherwise it is standard output.
 std::FILE* placeForText(std::initializer_list<std::filesystem::path> outputs);
 
 }  // namespace resect

@@ -12,14 +12,14 @@
 
 namespace resect {
 
-// Writes the cells of a row one after the other, then the end of the row. Numbers have a decimal
-// point in every locale, and enough digits to restore the same number.
+// Writes the cells of a row one after the other, then the end of the row. The decimal separator is
+// a point in every locale. Numbers have enough digits to restore the same number.
 class CsvWriter {
  public:
   explicit CsvWriter(std::ostream& out) : out_(out) {}
 
-  // A spreadsheet may run a text that begins with = + - @, tab or carriage return as a formula. The
-  // text may come from somebody else's recording. So an apostrophe is put before such a text.
+  // A spreadsheet may run a text as a formula if the text begins with = + - @, tab or carriage
+  // return. Such a text may come from somebody else's recording. So an apostrophe is put before it.
   CsvWriter& cell(std::string_view text);
   template <typename T>
   requires std::integral<T> || std::floating_point<T> CsvWriter& cell(T number) {

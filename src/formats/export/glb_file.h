@@ -24,8 +24,8 @@ Vec3f linearColour(const Vec3f& screen);
 
 using Rgba8 = std::array<std::uint8_t, 4>;
 
-// In the structs below, a number stands for a mesh, a material or an array. It is the number that a
-// function of GlbFile returned when the mesh, material or array was added; -1: none.
+// In the structs below, each int stands for an array, a material, a mesh or a node. It is the
+// number that a function of GlbFile returned when this object was added; -1: none.
 struct GlbMaterial {
   std::string name;
   // Linear RGB, 0 to 1. Viewers multiply it by the colour of each point.

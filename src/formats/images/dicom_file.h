@@ -25,8 +25,8 @@ void prepareDicom();
 // Throws Error if the file is not a segmentation, has compressed frames, or has unevenly spaced
 // slices. The Error says what to do. In a fractional segment, a voxel belongs to the segment if its
 // fraction is at least a half. Slices are placed at the coordinates that the file gives for them.
-// The slice thickness is taken as the spacing between slices only if all frames have the same
-// position and the file does not give this spacing.
+// If all frames have the same position, the spacing between slices is the one that the file gives.
+// If the file gives no spacing, it is the slice thickness.
 LabelImage readDicomFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect

@@ -40,8 +40,8 @@ struct LabelImage {
   // otherwise 1 + the label's index in `labels`. Labels that overlap are in different layers.
   std::vector<RawArray<std::uint16_t>> layers;
   std::vector<ImageLabel> labels;  // each label has at least one voxel
-  // Whether the program that wrote the file may have left out slices without labels. Such slices
-  // lie before the first or after the last slice of the file, along the third axis.
+  // Whether the program that wrote the file may have left out slices without labels. The missing
+  // slices lie before the first or after the last slice of the file, along the third axis.
   bool slicesLeftOut = false;
 
   std::int64_t voxelCount() const { return std::int64_t(dims.x()) * dims.y() * dims.z(); }
@@ -60,9 +60,10 @@ inline Vec3 turnedRasLps(const Vec3& p) { return {-p.x(), -p.y(), p.z()}; }
 // message.
 void checkGrid(const std::string& path, const LabelImage& image);
 
-// orientation(): for each axis of the image the nearest direction of the body, as one of the
-// letters L, R, P, A, S, I; for example "LPS". obliqueness(): the largest angle between an axis of
-// the image and its nearest direction of the body, degrees.
+// orientation(): for each axis of the image the nearest direction of the body, as a letter: L left,
+// R right, P back (posterior), A front (anterior), S head (superior), I feet (inferior); for
+// example "LPS". obliqueness(): the largest angle between an axis of the image and its nearest
+// direction of the body, degrees.
 std::string orientation(const LabelImage& image);
 double obliqueness(const LabelImage& image);
 

@@ -17,13 +17,14 @@ namespace resect {
 bool isLabelled(const std::filesystem::path& path);
 
 // Fills in the fields of the source from the labels. source.file is a label image or a folder. A
-// folder contains one image of all structures, or one image for each structure. The name of a label
-// tells the kind of the structure (anatomy/structure_kind.h).
+// folder contains one image of all structures, or one image for each structure. A structure is, for
+// example, the organ, a vessel or a tumour. The name of a label tells the kind of the structure
+// (anatomy/structure_kind.h).
 //
-// If source.part is given, it names the labels of the organ. For a folder, it names the organ's
-// file instead. If source.part is not given, the organ is the label whose name means parenchyma
-// (the organ's own tissue), or the only label. If source.file is an image, and source.part or
-// source.structures is given, only the pose is filled in.
+// If source.part is given, it names the labels of the organ, or for a folder the organ's file. If
+// source.part is not given, the organ is the label whose name means parenchyma (the organ's own
+// tissue), or the only label. If source.file is an image, and source.part or source.structures is
+// given, only the pose is filled in.
 //
 // The tumours, cysts, cavities and vessels become source.structures, unless source.structures has
 // entries already. A tumour, a cyst or a vessel from the organ's own image also becomes part of the
@@ -48,9 +49,9 @@ struct FolderImage {
 // Error if there is no label image.
 std::vector<FolderImage> imagesOf(const std::string& folder, std::vector<std::string>& notes);
 
-// Does the same as takeLabels() for several files. Each file is a label image or a model, and has
-// one structure. All files must have the same coordinates. The files are treated like the files of
-// a folder. If there is only one file, it becomes source.file.
+// Fills in the fields of the source from several files, which are treated like the files of a
+// folder in takeLabels(). Each file is a label image or a model, and has one structure. All files
+// must have the same coordinate system. If there is only one file, it becomes source.file.
 void takeFiles(OrganSource& source, const std::vector<std::string>& files);
 
 // Adds a structure that lies in the organ. file: the structure's file; if it is empty, `part` is a
@@ -59,7 +60,7 @@ void takeFiles(OrganSource& source, const std::vector<std::string>& files);
 // In an image, the voxels of a structure usually do not have the organ's label. So if a structure
 // is a label of the organ's own image, its label also becomes part of the organ's body. In this
 // case, source.part must name the organ's label. A cavity from this image is not added, because its
-// voxels do not belong to the organ in any case.
+// voxels do not have the organ's label, so the organ is hollow there already.
 //
 // Throws a usage Error in these cases: source.part must name a label but is empty; the same part of
 // the same file is a structure already; there would be more than 255 structures.

@@ -30,9 +30,9 @@ struct LabelFacts {
   std::string description;  // result of description() (formats/images/label_image.h)
   double voxelVolume = 0;   // volume of one voxel, m^3
   std::vector<ImageLabel> labels;
-  // Whether the names in `labels` are guesses. This is so if the image has more than 20 labels, no
-  // label has a name, and the program TotalSegmentator has a name for each label's number. Each
-  // label then gets TotalSegmentator's name.
+  // Whether the names in `labels` are guesses. They are guesses under three conditions: the image
+  // has more than 20 labels, no label has a name, and the program TotalSegmentator has a name for
+  // each label's number. Each label then gets TotalSegmentator's name.
   bool guessed = false;
   std::vector<bool> cutOff;  // for each label: whether its voxels reach the image's border
 

@@ -32,10 +32,10 @@ SliceFrame sliceFrame(const LabelImage& image);
 RgbImage labelSlices(const LabelImage& image, const SliceFrame& frame, int height,
                      const std::string& name = {});
 
-// Draws the slices of several files, which must have the same coordinates, into one picture. All
-// files are drawn in the SliceFrame of the first file. Later files are drawn over earlier files. A
-// sandboxed child process reads each file. The picture is empty if no voxel of the first file is
-// labelled.
+// Draws the slices of several files, which must have the same coordinate system, into one picture.
+// All files are drawn in the SliceFrame of the first file. Later files are drawn over earlier
+// files. A sandboxed child process reads each file. The picture is empty if no voxel of the first
+// file is labelled.
 RgbImage readLabelSlices(const std::vector<std::string>& files, int height);
 
 }  // namespace resect

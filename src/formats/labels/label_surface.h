@@ -1,6 +1,6 @@
 // The smooth closed surface round labels of an image.
 //
-// Marching cubes first make a surface whose steps are as large as voxels. Then the points of this
+// First, marching cubes make a surface that has steps as large as voxels. Then the points of this
 // surface are smoothed within the precision of the image: each point moves at most half a voxel
 // along each axis of the image (after Gibson 1998, 10.1007/BFb0056277). The three coordinates are
 // smoothed separately. If voxels are longer along one axis, the coordinate along that axis is

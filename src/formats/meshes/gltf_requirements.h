@@ -1,6 +1,6 @@
 // Handles the extensions of glTF that change a model's shape. KHR_mesh_quantization is undone
-// before the library (assimp) reads the file. If the file requires another such extension, the file
-// is refused with an Error that names the extension.
+// before the library (assimp) reads the file. If the file requires another extension that changes
+// the shape, the file is refused with an Error that names the extension.
 #pragma once
 
 #include <string>

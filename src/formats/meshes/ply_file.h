@@ -15,10 +15,10 @@ bool startsAsPly(std::string_view bytes);
 
 // The model has one part, without a name. The points come from the properties x, y and z of the
 // element `vertex`. The faces come from the list vertex_indices or vertex_index of the element
-// `face`, and strips of triangles from the same list of the element `tristrips`. The elements may
-// come in any order. All other elements and properties are skipped, and so are bytes after the last
-// element. Coordinates are taken as metres. Throws Error if the header is damaged, if the file ends
-// early, or if the file has points but no faces.
+// `face`. Strips of triangles come from a list with one of these two names in the element
+// `tristrips`. The elements may come in any order. All other elements and properties are skipped,
+// and so are bytes after the last element. Coordinates are taken as metres. Throws Error if the
+// header is damaged, if the file ends early, or if the file has points but no faces.
 Model readPlyFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect
