@@ -7,9 +7,9 @@
 //
 //     rho c dT/dt = k laplacian(T) - w rho_b c_b (1 - coagulated) (T - 37) + source
 //
-// T is the temperature in degrees Celsius, which this header writes as C. `source` is the heat that
-// is brought in, W/m^3. `coagulated` is the coagulated fraction of the tissue, 0 to 1. The comments
-// at the constants below explain the other symbols.
+// T is the temperature in degrees Celsius, which this header writes as C. `source` is the heating
+// power per volume, W/m^3. `coagulated` is the coagulated fraction of the tissue, 0 to 1. The
+// comments at the constants below explain the other symbols.
 //
 // Water boils at 100 C. As long as a cell contains water, more heat turns this water into steam and
 // does not raise the temperature. Coagulation is a first-order reaction. Its rate follows Eyring's
