@@ -42,8 +42,8 @@ class PassivityGuard {
   double share_ = 1;       // fraction of the wanted force that is written
   Wrench written_;
   // The account: energy that the hand may still receive, J. When energy_ grows, the account shrinks
-  // by the same amount. When energy_ shrinks, the account grows by this amount, but never above 0.5
-  // J.
+  // by the same amount. When energy_ shrinks, the account grows by this amount. The account never
+  // exceeds 0.5 J.
   double account_ = 0;
   double energy_ = 0, most_ = 0;
   std::int64_t interventions_ = 0;
