@@ -1,4 +1,4 @@
-// Axis-aligned boxes: bounds of points, intersections, and tests whether boxes meet.
+// Axis-aligned boxes, and functions that bound points and intersect boxes.
 #pragma once
 
 #include <limits>

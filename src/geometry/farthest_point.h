@@ -2,8 +2,9 @@
 // many directions.
 //
 // The points are divided into clusters, and each cluster has a bounding box. The reach of a box is
-// the largest p.dot(direction) of a point p in it. A query searches only the clusters whose boxes
-// reach far enough. Cost of the constructor: a few passes over the points. Cost of a query: two
+// the largest p.dot(direction) of a point p in it. A query first searches the cluster whose box has
+// the largest reach. After that, it searches only the clusters whose boxes reach at least as far as
+// the best point found. Cost of the constructor: a few passes over the points. Cost of a query: two
 // passes over the boxes, of which there are at most 24^3, and the search in a few clusters.
 #pragma once
 

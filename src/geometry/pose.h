@@ -29,7 +29,8 @@ inline bool isFinite(const Pose& pose) {
 }
 
 // A pose between a and b: a for share 0, b for share 1. The position is interpolated linearly. The
-// rotation is interpolated along the shorter great circle (slerp() in geometry/rotation.h).
+// rotation is interpolated along the shorter arc of a great circle (slerp() in
+// geometry/rotation.h).
 inline Pose interpolate(const Pose& a, const Pose& b, double share) {
   return {a.position + share * (b.position - a.position), slerp(a.rotation, b.rotation, share)};
 }

@@ -8,9 +8,9 @@ namespace resect {
 // A box with 8 points and 12 triangles. All three sides of `box` must be longer than 0.
 TriangleMesh boxMesh(const Aabb& box);
 
-// A sphere whose poles lie along Y. radius: > 0, m. rings: number of bands from pole to pole, >= 2.
-// Each of the two bands at the poles consists of 2 * rings triangles. Every other band consists of
-// 2 * rings quads, which are two triangles each.
+// A sphere whose poles lie along Y. radius: > 0, m. rings: number of bands from pole to pole, at
+// least 2. The first and the last band touch the poles, and consist of 2 * rings triangles each.
+// All bands between them consist of 2 * rings quads each, and a quad is two triangles.
 TriangleMesh sphereMesh(const Vec3& centre, double radius, int rings = 24);
 
 // A torus whose axis is parallel to Y. ring: radius of the circle in the middle of the tube, m.

@@ -12,8 +12,8 @@ namespace resect {
 // is the identity.
 Eigen::Quaterniond restingRotation(const TriangleMesh& mesh);
 
-// The pose that has this rotation and in which the mesh stands on the table: the bottom of the
-// mesh's bounding box is at y = 0, and the middle of this bottom is at the origin.
+// A pose in which the mesh stands on the table. `rotation` is the rotation of the pose. The middle
+// of the bottom face of the mesh's bounding box is at the origin.
 Pose standOnTable(const TriangleMesh& mesh, const Eigen::Quaterniond& rotation);
 
 }  // namespace resect

@@ -20,8 +20,8 @@ double angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b);
 // rad. The identity gives the zero vector. rotation: unit quaternion.
 Vec3 rotationVector(const Eigen::Quaterniond& rotation);
 
-// Interpolates along the shorter great circle (Shoemake 1985). The result is a for share 0, and b
-// for share 1.
+// Interpolates along the shorter arc of a great circle (Shoemake 1985). The result is a for share
+// 0, and b for share 1.
 Eigen::Quaterniond slerp(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b, double share);
 
 }  // namespace resect

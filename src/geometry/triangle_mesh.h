@@ -1,4 +1,4 @@
-// Triangle meshes. A mesh has points, and triangles of these points.
+// Triangle meshes. A mesh consists of points, and of triangles whose corners are these points.
 #pragma once
 
 #include <array>

@@ -6,7 +6,7 @@
 // the tissue it touches (ContactPlane), and how the force changes when the instrument moves. The
 // model has a fixed size, so that it can be passed through a TripleBuffer without allocating
 // memory. docs/methods/haptics.md derives the stiffness. Units are m, N and s; coordinates are in
-// the world. Making a model costs as much as the contact points of one instrument cost in one time
+// the world. Making a model takes as much time as the contact of one instrument takes in one time
 // step of the tissue.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Limits the force on the hand so that the hand never receives more energy than it has given
+// Limits the force on the hand so that the hand does not receive more energy than it has given
 // (time-domain passivity control after Hannaford and Ryu 2002).
 //
 // The guard adds up the work that the force does on the hand. A device holds a force until the next
@@ -42,8 +42,8 @@ class PassivityGuard {
   double share_ = 1;       // fraction of the wanted force that is written
   Wrench written_;
   // The account: energy that the hand may still receive, J. When energy_ grows, the account shrinks
-  // by the same amount. When energy_ shrinks, the account grows by this amount, but to 0.5 J at
-  // most.
+  // by the same amount. When energy_ shrinks, the account grows by this amount. The account never
+  // exceeds 0.5 J.
   double account_ = 0;
   double energy_ = 0, most_ = 0;
   std::int64_t interventions_ = 0;

@@ -14,8 +14,8 @@ namespace resect {
 template <typename T>
 class TripleBuffer {
  public:
-  // For the writer: a place for the next value. Fill it before you call publish(); at first it
-  // holds an older value.
+  // For the writer: a place for the next value. The place holds an older value, so overwrite it
+  // before you call publish().
   T& draft() { return slots_[writing_].value; }
   // For the writer: makes the value in draft() the newest value.
   void publish() {

@@ -7,9 +7,9 @@
 //
 //     rho c dT/dt = k laplacian(T) - w rho_b c_b (1 - coagulated) (T - 37) + source
 //
-// T is the temperature in degrees Celsius, which this header writes as C. `source` is the heat that
-// is brought in, W/m^3. `coagulated` is the coagulated fraction of the tissue, 0 to 1. The comments
-// at the constants below explain the other symbols.
+// T is the temperature in degrees Celsius, which this header writes as C. `source` is the heating
+// power per volume, W/m^3. `coagulated` is the coagulated fraction of the tissue, 0 to 1. The
+// comments at the constants below explain the other symbols.
 //
 // Water boils at 100 C. As long as a cell contains water, more heat turns this water into steam and
 // does not raise the temperature. Coagulation is a first-order reaction. Its rate follows Eyring's
@@ -72,10 +72,10 @@ class HeatField {
   explicit HeatField(const Aabb& box);
 
   // Computes a frame. duration: duration of the frame, s. isTissue: says whether there is tissue at
-  // a point in rest space. The sources warm their tissue at once. Conduction, perfusion, boiling
-  // and coagulation are computed for several frames together, about ten times a second. If there is
-  // no source and no spot is warm, the spots stay as they are. Cost: proportional to the number of
-  // spots.
+  // a point in rest space. The heat of the sources is added to the tissue in this call. Conduction,
+  // perfusion, boiling and coagulation are computed for several frames together, about ten times a
+  // second. If there is no source and no spot is warm, the spots stay as they are. Cost:
+  // proportional to the number of spots.
   void step(std::span<const HeatSource> sources, double duration,
             const std::function<bool(const Vec3&)>& isTissue);
 
@@ -99,8 +99,8 @@ class HeatField {
   bool changed() const { return changed_; }
   // Water that becomes steam, kg/s; a mean over the last tenth of a second or so.
   double steamRate() const { return steamRate_; }
-  // Energy of all spots together, J. It is the heat that they hold beyond 37 C, plus the latent
-  // heat of the water that has become steam.
+  // Energy of all spots together, J. It has two parts: the heat that has warmed the spots above 37
+  // C, and the latent heat of the water that has become steam.
   double energy() const;
 
   template <class Visitor>

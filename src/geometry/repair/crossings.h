@@ -12,10 +12,9 @@ namespace resect {
 // For each point: the number of times that its ray leaves the mesh, minus the number of times that
 // its ray enters the mesh. The mesh must be closed and oriented. The result is 1 inside a body, 0
 // outside, and -1 inside a body whose normals point inwards. If a ray crosses the mesh at an edge
-// or a corner, the crossing is counted once. To ensure this, both triangles at an edge test the
-// edge by the same arithmetic, and the lower end of an edge belongs to the edge, but the upper end
-// does not. A point on the surface gets the number of one of the two sides. Cost for n triangles:
-// O(n) to sort the triangles into slabs along Z, and then about sqrt(n) for each point.
+// or a corner, the crossing is counted once. A point on the surface gets the number of one of the
+// two sides. Cost for n triangles: O(n) to sort the triangles into slabs along Z, and then about
+// sqrt(n) for each point.
 std::vector<int> crossingNumbers(const TriangleMesh& mesh, std::span<const Vec3> points);
 
 }  // namespace resect

@@ -31,7 +31,7 @@ struct MeshHealth {
 // Examines a welded mesh. An empty mesh has no component and does not count as closed. Cost: O(n
 // log n) for n triangles if the components are disjoint or nested.
 MeshHealth examine(const TriangleMesh& mesh);
-// The same for a caller that has already computed the topology of the mesh.
+// Does the same for a caller that has already computed the topology of the mesh.
 MeshHealth examine(const TriangleMesh& mesh, const Topology& topology);
 
 // Whether a closed component has practically no volume: at most a millionth of the volume of a ball

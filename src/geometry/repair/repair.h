@@ -34,7 +34,8 @@ void dropDoubled(TriangleMesh& mesh, RepairReport& report);
 // Flips triangles to give neighbouring triangles the same orientation. Two triangles are neighbours
 // if they share an edge that belongs to no third triangle. Triangles that are connected by a chain
 // of neighbours all get the same orientation: the one that most of them had. For a one-sided
-// surface (Moebius strip) this is impossible: some neighbours still have different orientations.
+// surface (Moebius strip) this is impossible, so some neighbours have different orientations
+// afterwards.
 void orientConsistently(TriangleMesh& mesh, RepairReport& report);
 
 // Closes every hole of a mesh. Afterwards triangles use each edge equally often in both directions,

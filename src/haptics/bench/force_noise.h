@@ -1,4 +1,5 @@
-// Measures the noise of the force on a hand that presses an instrument on tissue without moving it.
+// Measures the noise of the force on a hand that holds an instrument still and presses it on
+// tissue.
 #pragma once
 
 #include <span>

@@ -1,5 +1,7 @@
 // Runs a scenario in real time while haptic devices hold its instruments. Measures the forces on
-// the hands, and how late the cycles of the haptic loop and the frames of the simulation are.
+// the hands, and how late the cycles of the haptic loop and the frames of the simulation are. In
+// the haptic loop, the force on a hand is computed from the local model of the instrument
+// (haptics/local_model.h).
 #pragma once
 
 #include <functional>
@@ -56,11 +58,10 @@ struct HapticsSetup {
 // the simulation's initial state. A device may play a person, that is, simulate the hand
 // (HapticDevice::plays()). Such a device gets the pose that the instrument should have in the
 // scenario, in world coordinates. With any other device a person moves the instrument. In this case
-// the origin of the device's workspace is at the position that the instrument has at the first key
-// of its motion (ToolKey in operation/scenario.h). `progress` gets the fraction of the time that
-// has passed, 0 to 1. Throws Error if a device fails, or if the scenario does not move the
-// instrument setup.tool. If setup.tool is empty, throws Error if the scenario moves no instrument
-// at all.
+// the origin of the device's workspace is at the position that the instrument has at the start of
+// its motion in the scenario. `progress` gets the fraction of the time that has passed, 0 to 1.
+// Throws Error if a device fails, or if the scenario does not move the instrument setup.tool. If
+// setup.tool is empty, throws Error if the scenario moves no instrument at all.
 HapticsReport benchHaptics(Simulation& simulation, const Scenario& scenario,
                            const HapticPlugin& plugin, const HapticsSetup& setup,
                            const std::function<void(double)>& progress = {});

@@ -54,11 +54,12 @@ class HapticLoop {
   // constructor calls `intent` once for each hand. All later calls come from the loop's thread; in
   // these calls `intent` must not allocate memory.
   HapticLoop(std::vector<std::unique_ptr<HapticDevice>> devices, double seconds, IntentAt intent);
-  ~HapticLoop();  // stops the loop, which writes forces of zero, and waits for its thread
+  // Stops the loop and waits for its thread. When the loop stops, it sets all forces to zero.
+  ~HapticLoop();
 
-  // Only the simulation's thread may call these two functions. pose() returns the hand's newest
-  // pose, in the device's coordinates. give() passes a new local model to the loop; the model must
-  // be in the device's coordinates, too.
+  // Only the simulation's thread may call pose() and give(). pose() returns the hand's newest pose,
+  // in the device's coordinates. give() passes a new local model to the loop; the model must be in
+  // the device's coordinates, too.
   const Pose& pose(std::size_t hand);
   void give(std::size_t hand, const LocalModel& model);
   double time() const;  // time since the start of the loop, s

@@ -2,10 +2,11 @@
 // this node must come after all nodes that smoke can hide. Its shader program is that of
 // RoomMaterial::Smoke (inventor/gl/materials.h).
 //
-// A shader gets the middle of a ball as gl_Vertex, the corner of the square that shows the ball (-1
-// or 1) as gl_MultiTexCoord1.xy, the ball's radius, m, as gl_MultiTexCoord1.z, and its density as
-// gl_MultiTexCoord1.w. The shape has no bounds, and cannot be picked. In an .iv file,
-// `Smoke {}` makes a node without smoke.
+// Each ball is drawn as a square. For each corner of the square, a shader gets the middle of the
+// ball as gl_Vertex, the ball's radius, m, as gl_MultiTexCoord1.z, and its density as
+// gl_MultiTexCoord1.w. gl_MultiTexCoord1.x and y say which corner it is; each of them is -1 or 1.
+// The shape has no bounds, and cannot be picked. In an .iv file, `Smoke {}` makes a node without
+// smoke.
 #pragma once
 
 #include <Inventor/fields/SoSFInt32.h>

@@ -17,10 +17,10 @@
 //
 // The group shades in this way if three conditions hold: a shader program is in use, the
 // framebuffer has one sample per pixel, and it has a renderbuffer for depth and stencil. In all
-// other cases the group acts as a plain SoGroup, such as in antialiased pictures, in shadow maps
-// and for picking. On a machine with a graphics card all pictures are antialiased, so the group
-// always acts as a plain SoGroup there. The children of the group must be shapes with the
-// attributes of SoOrganShape.
+// other cases the group acts as a plain SoGroup. Examples are antialiased pictures, shadow maps and
+// picking. On a machine with a graphics card all pictures are antialiased, so the group always acts
+// as a plain SoGroup there. The children of the group must be shapes with the attributes of
+// SoOrganShape.
 #pragma once
 
 #include <Inventor/nodes/SoGroup.h>

@@ -1,9 +1,11 @@
 // Orbit, pan and zoom of the camera about a point of interest.
 //
 //   right button, dragged                      orbit
-//   left button, dragged                       orbit, if nothing else has used the event
+//   left button, dragged                       orbit
 //   middle button, or Shift and any button     pan
-//   wheel                                      zoom; the point under the pointer stays there
+//   wheel                                      zoom; the point under the pointer stays in place
+//
+// An event moves the camera only if nothing else has used the event.
 //
 // The camera stays upright. Its elevation is limited, so it cannot turn upside down.
 #pragma once

@@ -63,7 +63,7 @@ class OperatingSession {
   // which instruments work on organs. undo() shows the moment before the last stroke. redo() shows
   // the moment at which the last undo() was called. show() shows any moment
   // (LiveOperation::show()). The tools go to the poses that they had at the shown moment. The
-  // operation continues from the shown moment when goOn() is called, or when the hand takes, moves
+  // operation continues from the shown moment when goOn() is called, or when the user takes, moves
   // or lets go an instrument. Moving an instrument that only hovers over the surface has no such
   // effect. All three functions stop the scenario's motions. If there is nothing to undo or redo,
   // the operation stays at its present moment.
@@ -183,7 +183,7 @@ class OperatingSession {
   std::vector<std::vector<Aabb>> shownSlices_;
   std::shared_ptr<const LooseBlood> loose_;    // blood that was drawn last
   std::shared_ptr<const BareVessels> bare_;    // vessels that were drawn last
-  std::shared_ptr<const SurfaceCopy> adnexa_;  // what hung on the organ when it was drawn last
+  std::shared_ptr<const SurfaceCopy> adnexa_;  // parts that hang on the organ, as drawn last
   Aabb smokeBox_;                              // round the smoke that was drawn last
   Aabb markerBox_;          // box of the marker at the tip that was shown last; world, m
   std::int64_t asked_ = 0;  // number of the last request to the operation

@@ -33,8 +33,8 @@ class PointedSurface {
   // measured at right angles to the plane of the picture.) Let s be the point of an organ that is
   // seen at the pixel. The next point is s if s is near q, otherwise q. If there is no s, the next
   // point is q. s counts as near q if its distance from q is at most 20 mm, or at most twice the
-  // distance from the last point to q. The first s of a path counts as near, so a path may begin
-  // beside the organs. Returns nothing if the last point is behind the camera.
+  // distance from the last point to q. The first s of a path counts as near at any distance, so a
+  // path may begin beside the organs. Returns nothing if the last point is behind the camera.
   std::optional<SurfacePoint> along(const SbVec2s& pixel, const SbViewportRegion& viewport);
   // True if the last call of along() was the first that found a point of an organ, and this point
   // is more than 20 mm from the point before. This occurs if a path begins beside the organs.

@@ -110,7 +110,7 @@ class ToolHandling {
   // Call this after the camera has moved. A guided tool then points at the surface that is now seen
   // under the pointer.
   void aimAgain();
-  // Sets target points; world, m. When the hand points near a target, the tool in hand works at
+  // Sets target points; world, m. When the user points near a target, the tool in hand works at
   // that target (seek() in operation/hand/surface_hand.h).
   void setTargets(std::vector<Vec3> targets);
   // Ends a drag: until a button is pressed again, the mouse moves no tool.

@@ -1,4 +1,4 @@
-// A picture of a scene. The picture is kept, and drawn again only where the scene has changed.
+// A picture of a scene. It is kept, and drawn again after changes of the scene.
 //
 // With a graphics card the whole picture is drawn again after each change, with antialiased edges.
 // Software rendering is slower, so these measures save time:
