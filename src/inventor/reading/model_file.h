@@ -11,12 +11,12 @@
 namespace resect {
 
 // Reads surfaces from .iv and .wrl files (any version of Inventor or VRML) and from .obj, .stl,
-// .ply, .off, .glb, .gltf, .3mf and legacy .vtk files. Reads label images in the formats NIfTI,
-// NRRD, MetaImage and DICOM segmentation. Every file may be gzip-compressed. The format is
-// recognised by the first bytes if possible, otherwise by the extension (formats/model_kind.h). The
-// model is in metres. To get metres, Units nodes of Inventor files are applied, .3mf files are
-// converted from their unit, and images are converted from millimetres. All other coordinates are
-// taken as metres.
+// .ply, .off, .glb, .gltf, .3mf and legacy .vtk files. Also reads label images, in which each voxel
+// has the number of the structure that it belongs to. Their formats are NIfTI, NRRD, MetaImage and
+// DICOM segmentation. Every file may be gzip-compressed. The format is recognised by the first
+// bytes if possible, otherwise by the extension (formats/model_kind.h). The model is in metres. To
+// get metres, Units nodes of Inventor files are applied, .3mf files are converted from their unit,
+// and images are converted from millimetres. All other coordinates are taken as metres.
 //
 // parts: names of the needed parts, as in a call of a ModelReader (io/operation_setup.h). The
 // argument has an effect only for label images (labelModel() in formats/labels/label_model.h).
