@@ -35,8 +35,8 @@ Model readModel(const std::filesystem::path& path, const std::string& parts = {}
 Model readModelWatched(const std::filesystem::path& path, const Progress& progress,
                        const std::string& parts = {});
 
-// The same with another limit of processor time. seconds: this limit, which replaces the 5 s, > 0.
-// For an image the limit is at least 60 s. In all cases 1 s is added for each MB that is read.
+// The same with another limit of processor time. seconds: replaces the 5 s of readModel(); > 0. For
+// an image the limit is at least 60 s. In all cases 1 s is added for each MB that is read.
 Model readModelWithin(const std::filesystem::path& path, double seconds,
                       const Progress& progress = {}, const std::string& parts = {});
 

@@ -18,8 +18,9 @@
 //     Switch { scope, mask }
 //
 // Here liver, steel, strand, cloth, fat, drop, room, smoke and scope are shader programs
-// (inventor/gl/materials.h). Coordinates are in the world, m. Y is up, and the table's top is at
-// y = 0. The surgeon stands at +Z.
+// (inventor/gl/materials.h). Bare vessels, adnexa and aids are explained at setBareVessels(),
+// setAdnexa() and aids(). Coordinates are in the world, m. Y is up, and the table's top is at y =
+// 0. The surgeon stands at +Z.
 #pragma once
 
 #include <optional>
