@@ -10,7 +10,7 @@ namespace resect {
 // Returns the data folder: the first of these folders that exists.
 // 1. The folder that the environment variable RESECT_DATA names. If the variable is set but does
 //    not name a data folder, throws Error.
-// 2. The data folder beside the program. An installed program has one, and so has a build tree.
+// 2. The data folder beside the program. It exists in a build tree and in an installation.
 // 3. The data folder of the sources from which the program was built.
 // 4. The data folder of the install location.
 // If no such folder exists, throws an Error that lists the folders that were tried.

@@ -13,8 +13,8 @@ namespace resect {
 // (tools/finish.h). If the file gives a finish for the part, the drawn part gets this finish. If
 // the file gives a normal for every point of the part, points and normals are taken unchanged.
 // Otherwise the part is welded (geometry/repair/weld.h), so that viewers can compute smooth normals
-// from its triangles. If the surface is closed but oriented inwards, its triangles are flipped. A
-// part that has no triangles after welding is left out.
+// from its triangles. If the part's surface is closed but oriented inwards, its triangles are
+// flipped. A part that has no triangles after welding is left out.
 //
 // If jaws.opening > 0, parts whose names begin with JawUpper or JawLower are jaws. In the model the
 // jaws are wide open: about the axis jaws.axis through the point jaws.pivot, JawUpper is turned by

@@ -18,8 +18,8 @@ void checkWritableMeshFile(const std::filesystem::path& path);
 //  .obj  text; each coordinate has enough digits to restore the same double
 //  .ply  binary, little-endian; exact, since coordinates are doubles
 //  .vtk  legacy PolyData, binary, big-endian; exact, since coordinates are doubles
-//  .iv   Inventor V2.1 ascii, an IndexedFaceSet; as many digits as in .obj, but Inventor reads them
-//        with single precision
+//  .iv   Inventor V2.1 ascii, an IndexedFaceSet; as many digits as in .obj, but Inventor reads
+//        numbers with single precision
 //  .stl  binary; this format has single precision and no shared points
 // Any other extension is a usage Error.
 void writeMeshFile(const std::filesystem::path& path, const TriangleMesh& mesh);

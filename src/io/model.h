@@ -66,7 +66,8 @@ void leaveOut(std::string& lines, const std::string& out);
 
 // The model with only the parts that `lines` names (partNames()), in the order of the file.
 // - If `lines` is empty, returns all parts.
-// - If the model has only one part and `lines` is this part's name, returns this part.
+// - If the model has only one part and `lines` is this part's name, returns this part. (A
+//   ModelReader may have joined several parts to one, whose name has several lines.)
 // - If all lines leave parts out (kWithout), returns the other parts.
 // - If the model has no part with one of the names, or if no part is left, throws an Error that
 //   lists the names of the parts.

@@ -73,9 +73,9 @@ std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& o
 std::vector<OperatedOrgan> loadOrgans(Scenario& scenario, const ModelReader& readModel,
                                       const Progress& progress = {},
                                       std::vector<std::string>* notes = nullptr);
-// The springs of all joints of the scenario. A joint connects two organs. In thesis mode, in which
-// instruments only remove tissue, there are no springs. Throws Error if a joint names an organ that
-// does not exist, or if no two cells are near enough to be joined.
+// The springs of all joints of the scenario. A joint connects two organs by springs. In thesis
+// mode, in which instruments only remove tissue, there are no springs. Throws Error if a joint
+// names an organ that does not exist, or if no two cells are near enough to be joined.
 std::vector<TissueJoint> makeJoints(const Scenario& scenario,
                                     const std::vector<OperatedOrgan>& organs);
 

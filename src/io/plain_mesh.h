@@ -1,5 +1,5 @@
-// Reads meshes that Resect itself has written. Readers for the formats of other programs are not
-// needed.
+// Reads meshes that Resect itself has written. The readers for other programs' formats are not
+// needed for this.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// Adds structures to an organ, from the regions and files that a scenario gives. A structure is a
-// label of the organ's cells, or a vessel.
+// Adds structures, such as tumours, cavities and vessels, to an organ. A scenario gives them as
+// regions of the organ or as files.
 #pragma once
 
 #include <memory>
@@ -13,9 +13,10 @@
 namespace resect {
 
 // Adds the surfaces of the source's cavities to the organ's surface, with triangles that face into
-// the cavities. So no tissue lies in a cavity, even where the cavity extends beyond the organ. All
-// surfaces have the coordinates of the files, in metres. `notes` gets a sentence for each cavity.
-// Throws Error if a cavity and the organ have no volume in common.
+// the cavities. The result bounds the part of the organ that is outside all cavities. A cavity may
+// extend beyond the organ: no tissue is made outside the organ. All surfaces have the coordinates
+// of the files, in metres. `notes` gets a sentence for each cavity. Throws Error if a cavity and
+// the organ have no volume in common.
 TriangleMesh hollowed(TriangleMesh organ, const OrganSource& source, const ModelReader& readModel,
                       std::vector<std::string>* notes);
 
@@ -24,10 +25,12 @@ TriangleMesh hollowed(TriangleMesh organ, const OrganSource& source, const Model
 // which options these parts get their roles.
 std::string namedStructuresNote(const Model& model, const OrganSource& source);
 
-// Adds the source's landmarks, labels and structures to the cells. place: pose of the organ's file
-// in the world; empty if this file is a file of particles. `notes` gets a sentence for each
-// structure that marks so few particles that they hardly show its shape. Throws Error if a label or
-// structure marks no particle, or if a structure has a file and `place` is empty.
+// Adds the source's landmarks to `cells`. Then gives the cells their labels: a label is the number
+// of the structure to which a cell belongs. The source gives each structure as a region of the
+// organ or as a file. place: pose of the organ's file in the world; empty if this file is a file of
+// particles. `notes` gets a sentence for each structure that marks so few particles that they
+// hardly show its shape. Throws Error if a label or structure marks no particle, or if a structure
+// has a file and `place` is empty.
 void addLabels(Discretization& cells, const OrganSource& source, const std::optional<Pose>& place,
                const ModelReader& readModel, std::vector<std::string>* notes);
 

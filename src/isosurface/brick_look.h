@@ -2,14 +2,14 @@
 // field.
 //
 // A cut share says whether a vertex lies on the organ's original surface or on a cut (cutShare()).
-// Only pictures need normals and cut shares; the simulation does not use them. A normal is the
-// negative gradient of the field, normalised. The gradient is found by a 3D Sobel operator: central
-// differences along one axis, averaged over the other two axes with weights 1 2 1. (Zucker and
-// Hummel 1981 compare this operator with others.) Plain central differences would show the lattice
-// as ribs in the highlights. The mean error of the normals was measured on a ball. With two nodes
-// per cell of the organ along each axis, it is 2.5 degrees for plain central differences and 1.6
-// degrees for the Sobel operator. With one node per cell, the Sobel operator averages over a wider
-// range, and its error is 1.3 degrees.
+// Only pictures need normals and cut shares. A normal is the negative gradient of the field,
+// normalised. The gradient is found by a 3D Sobel operator: central differences along one axis,
+// averaged over the other two axes with weights 1 2 1. (Zucker and Hummel 1981 compare this
+// operator with others.) Plain central differences would show the lattice as ribs in the
+// highlights. The mean error of the normals was measured on a ball. With two nodes per cell of the
+// organ along each axis, it is 2.5 degrees for plain central differences and 1.6 degrees for the
+// Sobel operator. With one node per cell, the Sobel operator averages over a wider range, and its
+// error is 1.3 degrees.
 //
 // Cost: 1 500 operations per brick and 60 more per vertex.
 #pragma once

@@ -130,7 +130,7 @@ using CellKinds = std::array<std::uint8_t, kBrickSize>;
 const std::array<std::int8_t, 256>& trianglesBeyondOneLoop();
 
 // Number of triangles in the cells of the mask `cells`; the surface must cross all these cells. c:
-// as given by cornerMasks(). A cell can have several loops only in two cases:
+// as given by cornerMasks(). A cell can have several loops only under one of two conditions:
 // - On one of its faces, exactly two corners are inside, and these are diagonally opposite.
 // - Each of two opposite corners of the cell differs from all three corners to which an edge joins
 //   it. (Two corners differ if exactly one of the two is inside.)

@@ -34,8 +34,8 @@ struct EdgeTable {
 // triangles. The memory from there to `limit` may be overwritten.
 Triangle* drawCells(const EdgeTable& table, const CellKinds& kinds, std::uint64_t cells,
                     Triangle* out, const Triangle* limit);
-// Does the same for machines without AVX2, one corner after the other. Overwrites nothing beyond
-// the returned end.
+// Does the same for machines without AVX2, one corner of a triangle after the other. Overwrites
+// nothing beyond the returned end.
 Triangle* drawCellsPlainly(const EdgeTable& table, const CellKinds& kinds, std::uint64_t cells,
                            Triangle* out);
 

@@ -4,9 +4,8 @@
 // A vertex belongs to the grid edge on which it lies. A grid edge belongs to the brick that
 // contains the edge's lower node. Within a brick an edge has the number 64 * axis + n, where n is
 // the number of the edge's lower node. The crossed edges are stored as one 64-bit mask per axis.
-// Vertices are numbered in the order of their edges. So the number of a vertex is found by counting
-// the crossed edges before the vertex's edge. For this, bits of the masks are counted; no search
-// and no table is needed.
+// Vertices are numbered in the order of their edges. So the number of a vertex is the number of
+// crossed edges before the vertex's edge. It is found by counting set bits of the masks.
 #pragma once
 
 #include <array>

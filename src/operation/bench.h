@@ -1,5 +1,6 @@
-// Measures the speed of an operation on this machine, and searches for the largest organ with which
-// the operation keeps real time.
+// Measures the speed of an operation on this machine. Also searches for the largest number of
+// particles (cells of tissue) with which the operation keeps real time. For this, the organs are
+// divided into smaller or larger cells.
 //
 // An operation keeps real time if the computation of at least 95 % of its frames takes no longer
 // than the duration of a frame.
@@ -41,7 +42,7 @@ struct BenchReport {
   double perParticleAndSubstep = 0;  // mean time in the stage moveTissue per particle and substep,
                                      // s; 0 for still tissue
   std::string instructionSet;        // used by the kernels that compute the tissue's motion
-  std::uint64_t stateHash = 0;       // at the end; equals RunSummary::stateHash
+  std::uint64_t stateHash = 0;       // at the end; as RunSummary::stateHash
 
   double bytesPerParticle() const { return double(bytes) / double(particles); }
   bool realTime() const { return frame.p95 <= frameDuration; }
@@ -52,17 +53,19 @@ struct BenchReport {
 BenchReport benchScenario(Simulation& simulation, const Scenario& scenario,
                           const FrameObserver& observer = {});
 
-// Result of the search for the largest organ. All figures are measured; none is extrapolated.
+// Result of the search for the largest number of particles. All figures are measured; none is
+// extrapolated.
 struct RealTimeLimit {
-  std::optional<BenchReport> holds;  // largest measured organ that kept real time
-  std::optional<BenchReport> fails;  // smallest measured organ that did not keep real time
+  std::optional<BenchReport> holds;  // most particles measured that kept real time
+  std::optional<BenchReport> fails;  // fewest particles measured that did not keep real time
 };
 
-// Searches for the largest organ that keeps real time. `first`: the report of the operation with
-// the present spacing. `measure`: runs the operation with another spacing, m, and reports. Tries at
-// most `trials` other spacings, and only organs with at most `mostParticles` particles. The search
-// ends earlier if `fails` has at most 15 % more particles than `holds`, or if the number of
-// particles of the next organ would differ by less than 2 % from that of the previous organ.
+// Searches for the largest number of particles that keeps real time. first: the report of a run
+// with the scenario's own spacing (length of a cell's side). measure: runs the operation with
+// another spacing, m, and reports. Tries at most `trials` other spacings, and at most
+// `mostParticles` particles. The search ends earlier if `fails` has at most 15 % more particles
+// than `holds`, or if the next number of particles would differ by less than 2 % from the previous
+// number.
 RealTimeLimit findRealTimeLimit(const BenchReport& first,
                                 const std::function<BenchReport(double spacing)>& measure,
                                 int trials = 4, double mostParticles = 1e6);

@@ -13,7 +13,7 @@ namespace resect {
 
 class OffscreenContext {
  public:
-  // Makes the context current. Throws an Error of one sentence if EGL or OpenGL is missing.
+  // Makes the context current. Throws Error if EGL or OpenGL is missing.
   OffscreenContext();
   // Makes Coin (the Open Inventor library) free its OpenGL objects in this context. The caller must
   // delete its own framebuffers before the context is destroyed.
@@ -36,7 +36,7 @@ class OffscreenContext {
 
 // Binds a framebuffer of the current context, and sets OpenGL's state for drawing a whole scene.
 // The viewport is the whole framebuffer, the clear colour is black, and depths are tested and
-// written. The function itself clears nothing.
+// written. The function does not clear the framebuffer.
 void beginPicture(std::uint32_t framebuffer, int width, int height);
 
 }  // namespace resect

@@ -18,8 +18,8 @@ class OffscreenView {
   // width, height: size of the pictures, 16 to 8192 pixels each. samples: number of samples per
   // pixel; 1 means no antialiasing. If the driver does not support so many samples, the largest
   // number that it supports is used. Throws Error if the size is out of range, if the driver
-  // refuses the size, or if EGL or OpenGL is missing. The picture's size times quality.enlarged
-  // must be in range too. quality.shadowTexels is not used here.
+  // refuses the size, or if EGL or OpenGL is missing. The size times quality.enlarged must be 16 to
+  // 8192 pixels, too. quality.shadowTexels is not used here.
   OffscreenView(int width, int height, int samples = 4)
       : OffscreenView(width, height, PictureQuality{.samples = samples}) {}
   OffscreenView(int width, int height, const PictureQuality& quality);

@@ -23,10 +23,10 @@ namespace resect {
 void appendTriangles(const SoFaceSet& shape, std::span<const Vec3> points, const std::string& where,
                      std::vector<Triangle>& triangles);
 
-// The same for a QuadMesh node. The mesh has verticesPerColumn rows, and each row has
-// verticesPerRow points. The first point of the mesh has the index startIndex. Each quadrilateral
-// is divided by the diagonal from its first corner to the opposite corner, as in Coin. A mesh with
-// fewer than two rows or columns adds nothing.
+// The same for a QuadMesh node. The points of the mesh form rows: verticesPerColumn rows of
+// verticesPerRow points each. The first point of the mesh has the index startIndex. Each
+// quadrilateral is divided by the diagonal from its first corner to the opposite corner, as in
+// Coin. A mesh with fewer than two rows or columns adds nothing.
 void appendTriangles(const SoQuadMesh& shape, std::span<const Vec3> points,
                      const std::string& where, std::vector<Triangle>& triangles);
 

@@ -11,12 +11,12 @@
 namespace resect {
 
 // Reads surfaces from .iv and .wrl files (any version of Inventor or VRML) and from .obj, .stl,
-// .ply, .off, .glb, .gltf, .3mf and legacy .vtk files. Reads label images in the formats NIfTI,
-// NRRD, MetaImage and DICOM segmentation. Every file may be gzip-compressed. The format is
-// recognised by the first bytes if possible, otherwise by the extension (formats/model_kind.h). The
-// model is in metres. To get metres, Units nodes of Inventor files are applied, .3mf files are
-// converted from their unit, and images are converted from millimetres. All other coordinates are
-// taken as metres.
+// .ply, .off, .glb, .gltf, .3mf and legacy .vtk files. Also reads label images, in which each voxel
+// has the number of the structure that it belongs to. Their formats are NIfTI, NRRD, MetaImage and
+// DICOM segmentation. Every file may be gzip-compressed. The format is recognised by the first
+// bytes if possible, otherwise by the extension (formats/model_kind.h). The model is in metres. To
+// get metres, Units nodes of Inventor files are applied, .3mf files are converted from their unit,
+// and images are converted from millimetres. All other coordinates are taken as metres.
 //
 // parts: names of the needed parts, as in a call of a ModelReader (io/operation_setup.h). The
 // argument has an effect only for label images (labelModel() in formats/labels/label_model.h).
@@ -35,8 +35,8 @@ Model readModel(const std::filesystem::path& path, const std::string& parts = {}
 Model readModelWatched(const std::filesystem::path& path, const Progress& progress,
                        const std::string& parts = {});
 
-// The same with another limit of processor time. seconds: this limit, which replaces the 5 s, > 0.
-// For an image the limit is at least 60 s. In all cases 1 s is added for each MB that is read.
+// The same with another limit of processor time. seconds: replaces the 5 s of readModel(); > 0. For
+// an image the limit is at least 60 s. In all cases 1 s is added for each MB that is read.
 Model readModelWithin(const std::filesystem::path& path, double seconds,
                       const Progress& progress = {}, const std::string& parts = {});
 

@@ -13,7 +13,7 @@ namespace resect {
 // throws an Error that begins with `path`. Such nodes are:
 // - an Array or MultipleCopy of more than 10 000 copies;
 // - a NURBS surface with control points or knots that are missing, too many or out of range;
-// - a profile that uses a missing point;
+// - a profile node that uses the index of a point that does not exist;
 // - an elevation grid with too few heights;
 // - an extrusion that has no scales, no orientations, or more than 10 000 000 points.
 void checkNodeLimits(const SoNode& node, SoCallbackAction& action, const std::string& path);

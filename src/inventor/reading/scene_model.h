@@ -21,9 +21,9 @@ enum class ShapeReading { Converted, ByCoin };
 // the shape has no DEF name, the DEF name of the innermost enclosing node that has one is used. A
 // part gets the material of its first shape. If a shape is a TriangleStripSet with one normal per
 // point, the part gets these normals, too. If the scene was saved by Resect, model.places gets the
-// poses of its tools and camera (inventor/reading/scene_places.h). Throws an Error about model.path
-// if a count or an index in the scene is out of range, or if the scene has more than 20 million
-// triangles. The caller must hold a reference to `root` (SoNode::ref()).
+// poses of the scene's tools and camera (inventor/reading/scene_places.h). Throws an Error about
+// model.path if a count or an index in the scene is out of range, or if the scene has more than 20
+// million triangles. The caller must hold a reference to `root` (SoNode::ref()).
 void addScene(SoNode* root, ShapeReading reading, Model& model);
 
 }  // namespace resect

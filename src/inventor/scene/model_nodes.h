@@ -16,8 +16,8 @@ namespace resect {
 // by more than `creaseDegrees`. All other edges look smooth.
 SoNode* makeModel(const TriangleMesh& mesh, double creaseDegrees = 30.0);
 
-// A scene graph that draws a part of a tool with the part's finish (its colour and gloss). If the
-// part is a jaw, the jaw is closed.
+// A scene graph that draws a part of a tool with the part's finish (its colour and gloss). A jaw is
+// drawn closed.
 SoSeparator* makePart(const DrawnPart& part);
 
 // A tool as a scene graph, and the transforms that turn the tool's jaws. At first the jaws are
@@ -26,7 +26,7 @@ struct ToolNodes {
   struct Jaw {
     SoTransform* transform;
     Vec3f axis;
-    float opens;  // angle about `axis` at which the jaw is wide open, rad
+    float opens;  // angle about `axis` from the closed to the wide open jaw, rad
   };
   SoNode* model;
   std::vector<Jaw> jaws;

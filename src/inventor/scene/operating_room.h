@@ -18,8 +18,9 @@
 //     Switch { scope, mask }
 //
 // Here liver, steel, strand, cloth, fat, drop, room, smoke and scope are shader programs
-// (inventor/gl/materials.h). Coordinates are in the world, m. Y is up, and the table's top is at
-// y = 0. The surgeon stands at +Z.
+// (inventor/gl/materials.h). Bare vessels, adnexa and aids are explained at setBareVessels(),
+// setAdnexa() and aids(). Coordinates are in the world, m. Y is up, and the table's top is at y =
+// 0. The surgeon stands at +Z.
 #pragma once
 
 #include <optional>
@@ -127,7 +128,8 @@ class OperatingRoom {
   SoTransform* toolTransform(int tool) const;
   // Bounds of a tool; world, m. If the tool has a manipulator, the bounds include the manipulator.
   Aabb toolBounds(int tool) const;
-  // Number of the tool through which a path from root() leads; -1 if it leads through no tool.
+  // Number of the tool through which a path from root() leads; -1 if the path leads through no
+  // tool.
   int toolOfPath(const SoFullPath& path) const;
 
   // Shows a mesh as the first organ. The organ is drawn uncut, with smooth normals
@@ -138,13 +140,13 @@ class OperatingRoom {
   // Shows the bare vessels, round which the tissue has been removed. If `vessels` is null, no bare
   // vessels are shown.
   void setBareVessels(const BareVessels* vessels);
-  // Shows what hangs on the organ (operation/adnexa/adnexa.h), if there is a field. It casts no
-  // shadow. If `adnexa` is null, nothing is shown.
+  // Shows the structures that hang on the organ (operation/adnexa/adnexa.h). They are shown only if
+  // the room has an operative field, and cast no shadow. If `adnexa` is null, none are shown.
   void setAdnexa(const SurfaceCopy* adnexa);
   // Shows smoke: the balls that smokeBalls() makes. Smoke casts no shadow.
   void setSmoke(std::vector<SmokeBall> smoke);
   void setOrganColour(const Vec3f& colour);  // sets the colour of the first organ
-  void setOrganPose(const Pose& pose);       // sets the pose of all organs and tissues
+  void setOrganPose(const Pose& pose);       // of all organs, and of the meshes of addTissue()
 
   // Shows another mesh, such as vessels or the gallbladder, together with the organs. The mesh has
   // the coordinate frame of the organs.

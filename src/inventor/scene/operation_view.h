@@ -65,9 +65,9 @@ class OperationView {
   SmokePlume smoke_;
   double smokeTime_ = 0;  // simulated time of smoke_, s
   bool table_, toolBox_;  // whether the scenario has a table and a tool box
-  // One publisher per organ of the simulation. These publishers publish every motion, even the
-  // smallest.
   Adnexa adnexa_;
+  // One publisher per organ of the simulation. It publishes even the smallest motion of the organ's
+  // surface.
   std::vector<SurfacePublisher> publishers_;
 };
 

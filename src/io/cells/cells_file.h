@@ -1,6 +1,7 @@
 // Reads and writes files *.resect-cells. Such a file holds an organ's lattice of cells, colour
-// values (the percentage of tissue in each cell), particles, labels, names of labels, landmarks and
-// vessels. It also gives the names of the files from which the cells were made.
+// values (the percentage of tissue in each cell), particles (cells whose centres are inside the
+// organ), labels, names of labels, landmarks and vessels. It also gives the names of the files from
+// which the cells were made.
 //
 // docs/cells_file.md describes the format: a text header, then runs (io/cells/byte_runs.h), then a
 // checksum. Lengths are in metres. The same cells give the same bytes on every machine. Cells that

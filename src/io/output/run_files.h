@@ -10,7 +10,7 @@
 namespace resect {
 
 struct OutputFile {
-  std::string option;          // option that gives the path, for messages: "--surface"
+  std::string option;          // command-line option that gives the path: "--surface"
   std::filesystem::path path;  // "" = not wanted; "-" = standard output
 };
 

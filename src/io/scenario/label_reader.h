@@ -9,12 +9,14 @@
 namespace resect {
 
 // Reads all [[label]], [[tumour]] and [[structure]] entries of an organ's table into `organ`. The
-// unit of `organ` must already have been read. Several entries may have the same label. Throws
-// Error if such entries give different names. Each tumour or structure gets a label that is not
-// used yet. The name of this label is made from the kind of the structure: "tumour", "tumour 2".
+// unit of `organ` must already have been read. A label is a number that marks cells of the organ.
+// Several [[label]] entries may give the same label; throws Error if they give it different names.
+// Each [[tumour]] or [[structure]] entry gets a label that is not used yet, except vessels and
+// cavities, which get none. The name of this label is made from the kind of the structure:
+// "tumour", "tumour 2".
 void readLabels(const TomlTable& t, OrganSource& organ);
 
-// Reads the keys of a material. A missing key gets its value from `defaults`. The outdated key
+// Reads the TOML keys of a material. A missing key gets its value from `defaults`. The outdated key
 // tear_stretch is converted to the tear energy by energyOfStretch() (tissue/material.h), and
 // `notes` gets a sentence about it.
 TissueMaterial readMaterial(const TomlTable& t, const TissueMaterial& defaults,

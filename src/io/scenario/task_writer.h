@@ -13,8 +13,8 @@ Task atLevel(const Task& task, TaskLevel level);
 
 // The text of a scenario file with the scenario's task. It is the text of the file from which the
 // scenario was read (Scenario::file), except that these parts are taken from `scenario`: title,
-// description, sources, cells and labels of the organs, instruments with their keys, and the task.
-// Names of files are absolute. Throws Error if Scenario::file cannot be read.
+// description, sources, cells and labels of the organs, instruments and their motions, and the
+// task. Names of files are absolute. Throws Error if Scenario::file cannot be read.
 std::string exerciseText(const Scenario& scenario);
 
 }  // namespace resect

@@ -1,5 +1,6 @@
-// Reads the way of a tool, that is, its motion in an organ's own coordinates. A way consists of
-// keys: the poses at given times of a [[tool]] with frame = "organ".
+// Reads the way of a tool, that is, its motion in an organ's own coordinates. A way is given by a
+// [[tool]] with frame = "organ". It consists of keys. Here a key is not a key of TOML, but the
+// tool's pose at one time: an element of the tool's list `keys`.
 #pragma once
 
 #include <vector>
@@ -14,8 +15,8 @@ inline constexpr std::size_t kMostKeys = 1'000'000;  // most keys of a tool
 // compute.
 inline constexpr std::size_t kMostWayKeys = 10'000;
 
-// t: the table of the tool. Throws Error if the table has no keys, or if it names an organ that is
-// not in `organs`.
+// t: the table of the tool. Throws Error if the list `keys` is missing or empty, or if the table
+// names an organ that is not in `organs`.
 OrganWay readWay(const TomlTable& t, const std::vector<ScenarioOrgan>& organs);
 
 }  // namespace resect
