@@ -18,8 +18,8 @@ namespace resect {
 inline Pose toolBoxPose() { return {Vec3(0.27, 0.0, 0.02), Eigen::Quaterniond::Identity()}; }
 
 // The place of the operative field, a model of the opened abdomen (data/room/field.iv, field_*.ply)
-// that lies round the organs. The field is drawn there. Obstacles with the shape of the field,
-// which tissue touches, have the same place.
+// that lies round the organs. The field is drawn at this place, and is an obstacle for tissue
+// there.
 struct FieldPlace {
   Vec3 position = Vec3::Zero();  // of the field's origin, world, m
   double scale = 1;              // 0.6 to 1.6: size of the field, relative to its files

@@ -67,8 +67,7 @@ struct OrganSource {
   bool repair = false;            // true: holes are closed; false: holes are an error
   std::optional<double> spacing;  // side of a cell, m; give this or dims
   std::optional<Vec3i> dims;  // samples along each axis of the bounding box (organ/discretize.h)
-                              // A particle file contains cells. If `resample` is true, the organ
-                              // gets new cells, which are made
+  // A particle file contains cells. If `resample` is true, the organ gets new cells, which are made
   // from the surface of the cells in the file. `spacing` or `dims` gives their size.
   bool resample = false;
   // The organ is placed in this order: pose.rotation, settle, onTable, pose.position. onTable: the

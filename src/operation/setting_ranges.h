@@ -36,7 +36,7 @@ inline constexpr SettingRange kSpringStiffness{0,
                                                1e6};  // N/m, of a ligament or a joint; a knee: 2e5
 
 // Organs.
-inline constexpr SettingRange kUnit{1e-9, 1000};     // m: nanometres to kilometres
+inline constexpr SettingRange kUnit{1e-9, 1000};     // m: a file's unit of length; nm to km
 inline constexpr SettingRange kSpacing{1e-5, 0.1};   // m
 inline constexpr SettingRange kJointReach{1e-5, 1};  // m
 

@@ -16,8 +16,7 @@ namespace resect {
 struct VesselCord {
   TissueCord cord;
   std::int32_t segment = -1;  // index in the organ's anatomy
-                              // The place at which the segment enters the cell cord.b, as a
-                              // fraction of the segment's length.
+  // The place at which the segment enters the cell cord.b, as a fraction of the segment's length.
   double share = 0;
 };
 

@@ -124,8 +124,8 @@ class LedgerBooks {
   struct Odd {
     std::int64_t cell = 0;
     std::int64_t units = 0;  // its volume minus a full cell's, in 2^-24 of a full cell
-    // -1 for a skin cell that Organ treats as a particle, since ledgers do not count it as one;
-    // otherwise 0.
+    // Correction of the number of particles: -1 for a skin cell that Organ treats as a particle,
+    // since a ledger does not count it as a particle; otherwise 0.
     std::int32_t particles = 0;
   };
   struct OrganBooks {

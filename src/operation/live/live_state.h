@@ -44,10 +44,9 @@ struct LiveState {
   // The tools' inputs while a motion plays or a moment of the history is shown. Otherwise empty:
   // the user's hand moves the tools (LiveOperation::setTool()).
   std::vector<ToolInput> played;
-  Moment moment;  // the place of this state in the history
-  bool showing =
-      false;  // a moment of the history is shown: no new frame begins until goOn()
-              // While showing: seconds of the operation per second of real time; 0: no playback.
+  Moment moment;         // the place of this state in the history
+  bool showing = false;  // a moment of the history is shown: no new frame begins until goOn()
+  // While showing: seconds of the operation per second of real time; 0: no playback.
   double playback = 0;
   // Numbers of strokes (strokes.h) that can be undone and redone.
   int undoable = 0, redoable = 0;
@@ -68,7 +67,7 @@ struct LiveState {
   std::shared_ptr<const BareVessels> bare;    // null: no bare vessels and no clips
   std::shared_ptr<const SurfaceCopy> adnexa;  // what hangs on the organ (Adnexa); null: nothing
   SmokePlume smoke;
-  // The lists below have one element per tool; "it" is this tool.
+  // The lists below have one element per tool. In their comments, "it" is the tool.
   std::vector<Pose> poses;           // its present pose, world
   std::vector<std::uint8_t> inHand;  // 1: in hand, or left holding or pressing
   std::vector<std::uint8_t> moved;   // 1: it moved in the last frame
