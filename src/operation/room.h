@@ -17,9 +17,9 @@ namespace resect {
 // Pose of the tool box. The origin of the box's frame is the centre of its bottom.
 inline Pose toolBoxPose() { return {Vec3(0.27, 0.0, 0.02), Eigen::Quaterniond::Identity()}; }
 
-// Where the operative field, a model of the opened abdomen (data/room/field.iv, field_*.ply), lies
-// round the organs. This place is used to draw the field and
-// to place the obstacles that tissue touches.
+// The place of the operative field, a model of the opened abdomen (data/room/field.iv, field_*.ply)
+// that lies round the organs. The field is drawn at this place, and is an obstacle for tissue
+// there.
 struct FieldPlace {
   Vec3 position = Vec3::Zero();  // of the field's origin, world, m
   double scale = 1;              // 0.6 to 1.6: size of the field, relative to its files
@@ -30,8 +30,9 @@ FieldPlace fieldPlace(const Aabb& organs);  // organs: box round all organs, wor
 inline constexpr double kTableHalfWidth = 0.45, kTableHalfDepth = 0.30, kFloor = -0.9;  // m
 
 // The four walls of the tool box as one closed mesh in the box's frame, an obstacle for tissue.
-// Their outside measures 30 x 22 cm; they are 25 mm high and 12 mm thick. Tissue could pass through
-// walls of 1 mm. The mesh has no floor, since the box stands on the table.
+// Their outside measures 30 x 22 cm; they are 25 mm high and 12 mm thick. (Tissue could pass
+// through walls that are only 1 mm thick.) The mesh has no floor, since the box stands on the
+// table.
 TriangleMesh toolBoxWalls();
 
 // Pose of the tray (data/room/tray.iv), for tools 4 to 11. The organ lies between the tray and the

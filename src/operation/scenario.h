@@ -57,7 +57,7 @@ struct OrganWound {
   }
 };
 
-// Where an organ comes from, how it is placed, and the size of its cells.
+// Where an organ comes from, how it is placed, the size of its cells, and what belongs to it.
 struct OrganSource {
   std::string name = "organ";     // its name in the scenario
   std::string beside;             // name of an organ whose pose is used; "": `pose` is used
@@ -67,8 +67,8 @@ struct OrganSource {
   bool repair = false;            // true: holes are closed; false: holes are an error
   std::optional<double> spacing;  // side of a cell, m; give this or dims
   std::optional<Vec3i> dims;  // samples along each axis of the bounding box (organ/discretize.h)
-  // A particle file contains cells. If `resample` is true, new cells are made from their surface
-  // instead, by spacing or dims.
+  // A particle file contains cells. If `resample` is true, the organ gets new cells, which are made
+  // from the surface of the cells in the file. `spacing` or `dims` gives their size.
   bool resample = false;
   // The organ is placed in this order: pose.rotation, settle, onTable, pose.position. onTable: the
   // organ is put on the table's top, y = 0, with its box centred over the origin. settle: if
@@ -174,7 +174,7 @@ struct TissueSetup {
   TissueSettings settings;
   std::vector<TissueAttachment> attachments;
   std::vector<LabelMaterial> materials;  // at most one per label
-  // A sentence for people about each outdated key in the scenario file. Not kept in recordings.
+  // A sentence for people about each outdated entry in the scenario file. Not kept in recordings.
   std::vector<std::string> notes;
 
   // The material of the cells with a label.

@@ -36,7 +36,7 @@ inline constexpr SettingRange kSpringStiffness{0,
                                                1e6};  // N/m, of a ligament or a joint; a knee: 2e5
 
 // Organs.
-inline constexpr SettingRange kUnit{1e-9, 1000};     // m: nanometres to kilometres
+inline constexpr SettingRange kUnit{1e-9, 1000};     // m: a file's unit of length; nm to km
 inline constexpr SettingRange kSpacing{1e-5, 0.1};   // m
 inline constexpr SettingRange kJointReach{1e-5, 1};  // m
 
@@ -48,7 +48,7 @@ inline constexpr double kFarthestPose = 100;          // m from the origin, alon
 inline constexpr double kFarthestToolPoint = 10;      // m, in an instrument's own frame
 inline constexpr SettingRange kBreathDepth{0, 0.06};  // m; at rest 0.01 to 0.025
 inline constexpr SettingRange kBreathRate{1, 60};     // 1/min; at rest 12 to 20
-inline constexpr SettingRange kBed{0, 1};             // 1, table's motion / diaphragm's
+inline constexpr SettingRange kBed{0, 1};             // 1; see Breathing::bed
 inline constexpr double kUsualDepth = 0.01;           // m, of a breath at rest
 inline constexpr SettingRange kFriction{0, 10};       // 1
 inline constexpr SettingRange kBluntness{0, 100};     // 1

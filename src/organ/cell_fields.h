@@ -1,6 +1,6 @@
 // Cell fields: values that each cell has besides its colour value (how full of tissue it is). These
-// values are the label of the structure to which the cell belongs, and whether heat has coagulated
-// the cell.
+// values are the label of the structure to which the cell belongs (0: the organ's ordinary tissue,
+// its parenchyma), and whether heat has coagulated the cell.
 //
 // A field takes no memory until one of its values differs from the start value. To add a field, add
 // a member to CellFields and add it to visit() and fit(). Then saving, comparing and hashing

@@ -12,8 +12,8 @@ namespace resect {
 
 // Gives the label (0 to 255) to the particles in the region, and returns their number. A particle
 // is a cell whose centre lies inside the organ. The region must be placed (organ/region_placer.h).
-// Call labelSkin() after the last region, since the labels of skin cells are wrong until then.
-// Cost: a pass over the cells.
+// Call labelSkin() after the last region; until then the labels of skin cells (see below) are
+// wrong. Cost: a pass over the cells.
 std::int64_t markCells(Discretization& cells, int label, const Region& region);
 
 // Gives each skin cell the label of the particle that it belongs to. A skin cell holds tissue

@@ -13,8 +13,9 @@ inline constexpr std::int64_t kMaxCells = 200'000'000;
 
 // The lattice of cubic cells of side `spacing` > 0, m, that covers the box. The first cell begins
 // at the box's lowest corner (min). So cell centres lie at min + (i + 1/2) spacing along each axis.
-// (At 5 mm the Visible Human liver gets 13 114 particles.) If the box has no extent along an axis,
-// there is one cell along this axis. An empty box is an Error.
+// (At 5 mm the Visible Human liver gets 13 114 particles, that is, cells whose centre lies inside.)
+// If the box has no extent along an axis, there is one cell along this axis. An empty box is an
+// Error.
 Lattice latticeForSpacing(const Aabb& box, double spacing);
 
 // The grid that the text of the thesis describes (the diploma thesis that Resect continues). Along

@@ -22,12 +22,12 @@ namespace resect {
 
 // Changes only values that are above 0 and below 100, and keeps them in that range. So no cell
 // becomes empty or full, and no empty cell gets tissue. cells.skinScale is set to the value with
-// which the sum of the cells' volumes stays the same. At the end the values are rounded to whole
-// levels (sph/colour_values.h), which moves the surface by about a thousandth of a cell. `mesh`:
-// the mesh that `cells` were made from. The result has the same bits at any number of threads. On
-// average, an area as large as a cell's face has two points (pointsToFit()). Each point has 33
-// cells in its reach. Cost per point: 13 loops over these cells, and 12 bytes of memory for each
-// of them until the function returns.
+// which the sum of the cells' volumes is the same as before the fit. At the end the values are
+// rounded to whole levels (sph/colour_values.h), which moves the surface by about a thousandth of a
+// cell. `mesh`: the mesh that `cells` were made from. The result has the same bits at any number of
+// threads. On average, the mesh has two points (pointsToFit()) on an area as large as a cell's
+// face. The field at a point depends on 33 cells. Cost per point: 13 loops over these cells, and 12
+// bytes of memory for each of them until the function returns.
 void fitSurface(const TriangleMesh& mesh, Discretization& cells);
 
 // The points on the mesh at which the field is fitted to 50, in cell space

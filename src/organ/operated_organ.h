@@ -16,7 +16,7 @@ namespace resect {
 struct VesselCord {
   TissueCord cord;
   std::int32_t segment = -1;  // index in the organ's anatomy
-  // The place on the segment at which it enters the cell cord.b, as a fraction of its length.
+  // The place at which the segment enters the cell cord.b, as a fraction of the segment's length.
   double share = 0;
 };
 

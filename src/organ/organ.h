@@ -34,9 +34,10 @@ struct OrganSettings {
 
 // A particle is a cell whose centre was inside the mesh from which the organ was made. Skin cells,
 // whose centres were outside, hold the rest of the tissue. Each skin cell belongs to a neighbouring
-// particle and is removed with it, so the volumes of all particles add up to the organ's volume.
-// Where the organ is thinner than the lattice can show, a skin cell may have no neighbouring
-// particle. Such a skin cell is treated as a particle.
+// particle. It is removed with this particle, and its volume is a part of the particle's volume. So
+// the volumes of all particles add up to the organ's volume. Where the organ is thinner than the
+// lattice can show, a skin cell may have no neighbouring particle. Such a skin cell is treated as a
+// particle.
 struct Organ {
   Discretization rest;  // as built; never changes
   ColourField field;    // of the tissue that is left

@@ -10,7 +10,7 @@
 namespace resect {
 
 struct LooseBlood {
-  static constexpr double kDeepest = 5e-3;  // m: the depth that the byte 255 stands for
+  static constexpr double kDeepest = 5e-3;  // m: greatest depth that `pool` can show
 
   // Depth of blood on each square of the table, smoothed over neighbouring squares. The bytes 0 to
   // 255 stand for depths of 0 to kDeepest. There are kTableCells x kTableCells squares, x fastest.

@@ -24,13 +24,13 @@ struct HandStyle {
   // times SurfaceHand::heading.
   double upright = 1, forward = 0;
   double hover = 0.005;     // m: height of the tip over the surface while hovering
-  double depth = 0.01;      // m: depth of the tip below the surface when pressing begins
+  double depth = 0.01;      // m: depth to which the hand presses, unless goDeeper() changes it
   double mostDepth = 0.06;  // m: greatest depth; a blade that is deeper would cut a tunnel
   // m: length of motion in which 63 % of the angle between heading and motion disappears; 0: the
   // heading never turns. turnHovering: while hovering; turnPressing: while pressing.
   double turnHovering = 0;
   double turnPressing = 0;
-  bool entersSlowly = false;  // depth grows only in proportion to the motion along the surface
+  bool entersSlowly = false;  // the depth is reached gradually, by motion along the surface
   bool headsForWay = false;   // the first 6 mm of a stroke set the heading
   bool closesJaws = false;    // pressing closes the jaws
   double seeks = 0;           // m: greatest distance of a target (see seek())

@@ -56,9 +56,10 @@ struct LabelLedger {
   int label = 0;
   std::string name;
   TissueSplit tissue;
-  // Least distance of the structure from any cut or bared face, m, in the tissue at rest; accurate
-  // to half a cell. Set only for labels that have a name and are not 0. The distance is 0 if the
-  // structure itself was cut or some of it was removed. It is infinite if nothing was cut or bared.
+  // Least distance, m, of the label's structure from any face that was opened by a cut or by
+  // removal of tissue (operation/ledger/wound_faces.h), in the tissue at rest; accurate to half a
+  // cell. It is 0 if the structure itself was cut or some of it was removed, and infinite if there
+  // is no such face. Set for labels that have a name; not set for label 0.
   std::optional<double> margin;
 
   bool operator==(const LabelLedger&) const = default;
@@ -118,10 +119,13 @@ class LedgerBooks {
   Ledger ledgerOf(const Simulation& simulation) const;
 
  private:
-  struct Odd {  // a particle whose volume, with its skin cells, is not exactly that of a full cell
+  // A particle whose volume, together with the volume of the skin cells that belong to it, differs
+  // from that of a full cell.
+  struct Odd {
     std::int64_t cell = 0;
     std::int64_t units = 0;  // its volume minus a full cell's, in 2^-24 of a full cell
-    // Added to the number of particles: 0, or -1 for a skin cell that Organ treats as a particle.
+    // Correction of the number of particles: -1 for a skin cell that Organ treats as a particle,
+    // since a ledger does not count it as a particle; otherwise 0.
     std::int32_t particles = 0;
   };
   struct OrganBooks {

@@ -1,4 +1,4 @@
-// Limits the motion of tools and their jaws to that of a hand.
+// Limits the speed of tools and their jaws to the speed that a hand can give them.
 #pragma once
 
 #include <algorithm>

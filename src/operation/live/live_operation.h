@@ -93,8 +93,8 @@ class LiveOperation {
   // where they were at that moment, motions have ended, and no new frame begins until goOn() is
   // called. Only playFromStart() goes on by itself: it plays its motion from that moment on. undo()
   // goes to the moment before the last stroke (strokes.h). redo() goes to the moment at which the
-  // last undo() was called. If there is no such moment, nothing changes. show() goes to any moment
-  // of LiveState::timeline.
+  // last undo() was called. If there is nothing to undo or redo, nothing changes. show() goes to
+  // any moment of LiveState::timeline.
   std::int64_t undo();
   std::int64_t redo();
   std::int64_t show(Moment moment);

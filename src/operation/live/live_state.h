@@ -46,7 +46,8 @@ struct LiveState {
   std::vector<ToolInput> played;
   Moment moment;         // the place of this state in the history
   bool showing = false;  // a moment of the history is shown: no new frame begins until goOn()
-  double playback = 0;   // while showing: seconds of the operation per second; 0: no playback
+  // While showing: seconds of the operation per second of real time; 0: no playback.
+  double playback = 0;
   // Numbers of strokes (strokes.h) that can be undone and redone.
   int undoable = 0, redoable = 0;
   std::int64_t answered = 0;     // number of the last request that was done (LiveOperation::undo())
@@ -66,7 +67,7 @@ struct LiveState {
   std::shared_ptr<const BareVessels> bare;    // null: no bare vessels and no clips
   std::shared_ptr<const SurfaceCopy> adnexa;  // what hangs on the organ (Adnexa); null: nothing
   SmokePlume smoke;
-  // The lists below have one element per tool.
+  // The lists below have one element per tool. In their comments, "it" is the tool.
   std::vector<Pose> poses;           // its present pose, world
   std::vector<std::uint8_t> inHand;  // 1: in hand, or left holding or pressing
   std::vector<std::uint8_t> moved;   // 1: it moved in the last frame

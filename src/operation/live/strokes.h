@@ -18,7 +18,7 @@ namespace resect {
 
 struct Stroke {
   std::int64_t from = 0, to = 0;  // last frame before contact; last frame in contact
-  std::int64_t tool = -1;         // number of the first tool that touched; -1: a cut without touch
+  std::int64_t tool = -1;         // number of the first tool that touched; -1: no tool touched
   // Numbers in this stroke so far: of particles removed, of bonds cut by instruments, and of bonds
   // torn.
   std::int64_t removed = 0, severed = 0, torn = 0;

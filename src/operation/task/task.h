@@ -40,7 +40,7 @@ struct TaskGoal {
   std::vector<TaskPlace> places;
   double radius = 0.006;        // m: greatest distance allowed from target, line or plane
   double hold = 1;              // s: how long a tip must stay, or bleeding must be stopped
-  std::string structure;        // name of a label of the organ
+  std::string structure;        // a structure of the organ, by the name of its label
   double margin = 0.01;         // m: least margin round `structure`
   double rate = 5e-6 / 60;      // m^3/s: a smaller blood flow counts as no bleeding
   double from = 20e-6 / 60;     // m^3/s: the bleeding to be stopped must first reach this flow

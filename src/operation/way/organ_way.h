@@ -1,7 +1,8 @@
-// The way of an instrument: its motion in an organ's own coordinates. So one scenario fits any
-// organ. When the organ is loaded, placeWays() (operation/way/place_ways.h) converts the way to
-// keys in world coordinates. docs/scenarios.md, "Ways in the organ's coordinates", describes ways
-// in files.
+// The way of an instrument: its motion in an organ's own coordinates. A scenario that uses ways
+// fits any organ. A way is a list of keys (keyframes); a key tells where the instrument is at one
+// time. When the organ is loaded, placeWays() (operation/way/place_ways.h) converts the way to keys
+// in world coordinates (ToolKey). docs/scenarios.md, "Ways in the organ's coordinates", describes
+// ways in files.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // Converts ways of instruments, given in an organ's coordinates (operation/way/organ_way.h), to
-// keys in the world.
+// keys in world coordinates (ToolKey). A key is the pose of an instrument at one time.
 #pragma once
 
 #include "operation/scenario.h"
@@ -25,7 +25,7 @@ bool hasWays(const Scenario& scenario);
 // Converts each way that refers to this organ to keys of its tool. If Scenario::after is given,
 // sets the scenario's duration (endAfterKeys()). organ: the organ's number in the scenario. The
 // ways are kept, so that they can be converted again when the organ is replaced.
-// - Depths are limited: to kDeepestShare, and to the lowest point of the section.
+// - A way leads no deeper than kDeepestShare, and not below the lowest point of the section.
 // - Positions are rounded to 0.01 mm and times to 0.01 ms, so that the keys do not depend on the
 //   last bits of the surface. The time from the previous key to a key with a speed is a whole
 //   number of frames.

@@ -1,14 +1,15 @@
 // The built-in gallbladder, as a signed function and as a mesh.
 //
 // A filled gallbladder of our own making, in the coordinates of the built-in liver: metres, Y up,
-// +Z anterior, +X the patient's left. It has a fundus, a body, an infundibulum with Hartmann's
-// pouch, a neck, and a stump of the cystic duct. The gallbladder lies in the gallbladder fossa, a
-// hollow of the liver. Its shape is clipped by the liver: where the gallbladder would enter the
-// liver, its wall runs a fifth of a millimetre outside the liver's surface. The fundus extends
-// beyond the liver's inferior margin. The neck bends down and to the left towards the porta
-// hepatis. The size is that of an adult's gallbladder: 7 to 10 cm long, about 3.5 cm wide, 30 to 50
-// ml (Gray's Anatomy, ed. Standring, 2016). docs/methods/builtin_liver.md has the exact figures of
-// this gallbladder.
+// +Z anterior, +X the patient's left. From its closed end to its outlet, it consists of the fundus,
+// the body, the infundibulum (a funnel with a bulge, Hartmann's pouch), the neck, and a stump of
+// the cystic duct. The gallbladder lies in the gallbladder fossa, a hollow of the liver. Its shape
+// is clipped by the liver: where the gallbladder would enter the liver, its wall runs a fifth of a
+// millimetre outside the liver's surface. The fundus extends beyond the lower edge (inferior
+// margin) of the liver. The neck bends down and to the left towards the porta hepatis, where
+// vessels enter the liver. The size is that of an adult's gallbladder: 7 to 10 cm long, about 3.5
+// cm wide, 30 to 50 ml (Gray's Anatomy, ed. Standring, 2016). docs/methods/builtin_liver.md has the
+// exact figures of this gallbladder.
 #pragma once
 
 #include "geometry/triangle_mesh.h"

@@ -1,9 +1,10 @@
 // The built-in human liver, as a signed function and as a mesh.
 //
 // The liver is computed from a formula, so that nothing has to be downloaded. It has a right and a
-// left lobe under a domed diaphragmatic face. Its visceral face is hollow, with the gallbladder
-// fossa, the umbilical fissure and the groove of the vena cava. Its inferior margin is sharp. The
-// formula blends ellipsoids that tools/fit_liver fitted to the liver of the Visible Human Male.
+// left lobe. Its diaphragmatic face, at the top and in front, is domed. Its visceral face, on the
+// underside, is hollow, and has three further hollows: the gallbladder fossa, the umbilical fissure
+// and the groove of the vena cava. The inferior margin, the edge between the two faces, is sharp.
+// The formula blends ellipsoids that tools/fit_liver fitted to the liver of the Visible Human Male.
 // docs/methods/builtin_liver.md describes the fit and its error. The volume is about 1.6 l. The
 // liver's centre is near the origin. Coordinates are in metres: Y up, +Z anterior, +X the patient's
 // left.

@@ -13,9 +13,9 @@
 namespace resect {
 
 // Tells which nodes of a box lie in tissue, and which grid edges between such nodes are whole. A
-// node lies in tissue if the colour field there is at least the iso level. An edge is whole if it
-// is not severed. The answers are computed when they are first asked for, for a whole brick of 64
-// nodes at once.
+// node lies in tissue if the colour field there is at least the iso level. A grid edge connects two
+// neighbouring nodes. It is whole if no cut has severed it. The answers are computed when they are
+// first asked for, for a whole brick of 64 nodes at once.
 class TissueGrid {
  public:
   // nodes: the box. Nodes in the box, and nodes next to the box, may be asked for. A node outside

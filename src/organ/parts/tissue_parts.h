@@ -26,10 +26,10 @@ struct TissueParts {
   std::int32_t count = 0;     // number of parts; their numbers ascend with their first cells
 };
 
-// The largest part of an organ is its body. Any other part is a piece if it has at least the volume
-// kPieceVolume, m^3, and also at least the volume of kPieceCells cells. (Without the second
-// condition, one large cell could be a piece.) Any other part that has at least the share
-// kPieceShare of the organ's volume is a piece, too. All parts that remain are debris.
+// The largest part of an organ is its body. All other parts are pieces or debris. A part is a piece
+// if its volume is at least kPieceVolume, m^3, and also at least the volume of kPieceCells cells.
+// (Without the second condition, one large cell could be a piece.) A part is a piece, too, if its
+// volume is at least the share kPieceShare of the organ's volume.
 inline constexpr double kPieceVolume = 0.5e-6, kPieceShare = 0.01;
 inline constexpr int kPieceCells = 4;
 // The least volume of a piece, m^3. organ, cell: volume of the organ and of a cell, m^3.

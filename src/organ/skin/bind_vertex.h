@@ -1,9 +1,11 @@
 // Finds the particles that a vertex of the surface follows, away from wounds.
 //
-// A vertex follows the particle that is nearest to it, and the nearest of the particles bonded to
-// this particle. So a vertex never follows particles on both sides of a cut. Weights fall to zero
-// with distance, so that neighbouring vertices move alike. This holds even at a thin edge of the
-// organ, where a vertex follows few particles, which all lie on one side of the vertex.
+// A vertex follows the particle that is nearest to it, the first particle, and some particles that
+// are bonded to the first particle: those nearest to the vertex, so that it follows at most eight
+// particles in all. So a vertex never follows particles on both sides of a cut. The weight of a
+// particle falls to zero with its distance from the vertex, so neighbouring vertices move alike.
+// This holds even at a thin edge of the organ, where a vertex follows few particles, which all lie
+// on one side of the vertex.
 #pragma once
 
 #include "sph/lattice.h"

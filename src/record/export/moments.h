@@ -19,8 +19,8 @@ struct ExportedPart {
 // Plays the part. Calls visit() for the first state of the part, after its last frame, and after
 // chosen frames in between. If the rate is 0, every frame is chosen. If the rate is above 0, a
 // frame is chosen if it is the first to end at or after one of the simulated times 1 / rate, 2 /
-// rate, and so on, s. If withLook is set, Simulation::keepLook() is called before all this. each(),
-// if given, is called for every frame, before visit().
+// rate, and so on, s. If withLook is set, Simulation::keepLook() is called before the part is
+// played. each(), if given, is called for every frame, before visit().
 void playMoments(Replay& replay, const ExportedPart& part, bool withLook,
                  const std::function<void(const Simulation&)>& visit, const Progress& progress,
                  const std::function<void(const StepReport&)>& each = {});
