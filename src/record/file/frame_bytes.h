@@ -11,12 +11,12 @@
 
 namespace resect {
 
-// before: the input of the previous frame; for the first frame of a sequence, an input without
-// tools.
+// before: the input of the previous frame. If it is an input without tools, the whole input is
+// written.
 Bytes frameToBytes(const FrameInput& input, const FrameInput& before);
 
 // before: as for frameToBytes(). Throws Error if the bytes are truncated or damaged: if the number
-// of bytes, a value or the kind of an edit is wrong.
+// of bytes, a value or the kind of a tissue edit is wrong.
 FrameInput frameFromBytes(std::span<const std::byte> bytes, const FrameInput& before);
 
 }  // namespace resect
