@@ -13,9 +13,9 @@
 // Nodes are held in bricks of 4 x 4 x 4 nodes. A brick is stored if the surface can pass through
 // it. In all other bricks the values of the nodes are known: all cells in the brick's reach (the
 // cells that have a weight at one of its nodes) are empty, or all are full. A change of a cell is
-// never added to the field or subtracted from it. Instead, the bricks in the cell's reach are
-// evaluated again. So the field depends on the present cells alone, bit for bit. The cost of a
-// change depends on the number of bricks in reach, not on the size of the organ. The first change
+// never added to the field or subtracted from it. Instead, all bricks that have the cell in their
+// reach are evaluated again. So the field depends on the present cells alone, bit for bit. The cost
+// of a change depends on the number of these bricks, not on the size of the organ. The first change
 // also writes 5 bytes for each brick of the grid.
 #pragma once
 

@@ -13,12 +13,12 @@
 // marching cubes as usual.
 //
 // points(), normals(), cut() and triangles() are arrays for viewers. Each brick owns a range of the
-// vertices and a range of the triangles. A brick keeps its ranges as long as the rounded sizes of
-// the ranges (surface/range_allocator.h) stay the same. So the arrays have unused elements
-// ("holes"). An unused triangle is (0, 0, 0). changes() lists the ranges that a viewer must copy
-// again. The cut share of a vertex goes from 0 on the original surface to 1 on cut faces
-// (isosurface/brick_look.h). Only pictures need normals and cut shares, so these are computed only
-// when updateLook() is called.
+// vertices and a range of the triangles. The sizes of ranges are rounded up
+// (surface/range_allocator.h), so the arrays have unused elements ("holes"). A brick keeps its
+// ranges as long as their rounded sizes stay the same. An unused triangle is (0, 0, 0). changes()
+// lists the ranges that a viewer must copy again. The cut share of a vertex goes from 0 on the
+// original surface to 1 on cut faces (isosurface/brick_look.h). Only pictures need normals and cut
+// shares, so these are computed only when updateLook() is called.
 #pragma once
 
 #include <array>

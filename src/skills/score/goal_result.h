@@ -21,7 +21,7 @@ struct GoalResult {
   std::vector<std::pair<double, double>> unfollowed;
 };
 
-// The goal to follow a line is reached if at least this share of the line's length was followed.
+// For the goal to follow a line, at least this share of the line's length must be followed.
 inline constexpr double kLineFollowed = 0.9;
 
 // attempt.task must be given.
