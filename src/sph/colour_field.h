@@ -50,9 +50,9 @@ class ColourField {
   static bool canHold(const Lattice& lattice, int refine);
   // refine: nodes per cell along each axis, 1 to 4. canHold() must be true. Evaluates all bricks.
   ColourField(const Discretization& cells, int refine);
-  // As above, but does not evaluate the stored bricks. The caller must evaluate them with
-  // evaluateBuilt(). Then the caller can read the nodes of a brick while they are still in the
-  // cache.
+  // As above, but does not evaluate the stored bricks. The caller must evaluate these bricks with
+  // evaluateBuilt(). So the caller can read the nodes of a brick soon after they were evaluated,
+  // while they are still in the cache.
   struct NodesLater {};
   ColourField(const Discretization& cells, int refine, NodesLater);
   // The bricks that were stored when the field was built, in ascending order. The i-th of these

@@ -85,8 +85,8 @@ struct Specimen {
   double target = 0;            // volume of the goal's structure in the piece, m^3
 };
 
-// A frame in which an instrument that the goal accepts for the cut was at work, with the
-// instrument's position relative to the goal's line or plane.
+// A frame in which an instrument worked that the goal accepts for the cut. The position of the
+// instrument is given relative to the goal's line or plane.
 struct WorkMoment {
   std::size_t frame = 0;
   double along = 0;  // position along the line, m from its beginning

@@ -50,9 +50,9 @@ class LiveAttempt : public std::enable_shared_from_this<LiveAttempt> {
   // The attempt up to a frame, as readAttempt() would make it from the recording, with one
   // difference: VesselStory::bled has the values at the time of the call. After this call the
   // operation is not followed any more. frames: number of frames since the start that belong to the
-  // attempt. No instrument may have been in hand in later frames. simulation: that of the
-  // operation; it must not step during the call. No result if work was taken back. Cost: up to a
-  // second (AttemptReader::measureMargins()).
+  // attempt. No instrument may have been in hand in later frames. simulation: the operation's
+  // simulation, which must not step during the call. No result if work was taken back. Cost: up to
+  // a second (AttemptReader::measureMargins()).
   std::optional<Attempt> end(std::int64_t frames, const Simulation& simulation);
 
  private:
