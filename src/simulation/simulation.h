@@ -174,7 +174,7 @@ class Simulation {
   // From now on each step also updates the vertices' normals and cut shares. Only pictures need
   // them. A cut share goes from 0 on the organ's original surface to 1 on cut faces.
   void keepLook();
-  // The mesh of surfaceMesh() with normals and cut shares. Throws Error unless keepLook() was
+  // The mesh of surfaceMesh() with normals and cut shares. Throws Error if keepLook() was not
   // called before.
   SurfaceTracker::Compact surface() const;
 

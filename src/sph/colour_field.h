@@ -130,7 +130,7 @@ class ColourField {
   // node / refine. If refine is 1, 2 or 4, no division is needed.
   int cellOf(int node) const { return refine_ == 3 ? node / 3 : node >> refine_ / 2; }
   // Per axis: position of a brick's first node within the cell of this node, 0 to refine - 1.
-  // Always 0 unless refine is 3.
+  // Always 0 for refine 1, 2 and 4.
   Vec3i phase(const Vec3i& brick) const {
     if (stencil_->phases == 1) return Vec3i::Zero();
     const auto along = [&](int b) { return kBrickNodes * b % refine_; };

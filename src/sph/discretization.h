@@ -67,8 +67,8 @@ struct Discretization {
   }
 };
 
-// Throws Error unless Lattice::sound() holds and each array has one entry per cell (`label` may be
-// empty).
+// Throws Error if Lattice::sound() is false, or if an array does not have one entry per cell.
+// `label` may be empty.
 void requireSound(const Discretization& cells);
 
 }  // namespace resect

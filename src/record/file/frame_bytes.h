@@ -1,7 +1,7 @@
 // Converts the input of a frame to bytes and back. A recording keeps these bytes for each frame.
 //
-// The input of a tool is written only if it differs from the tool's input in the previous frame.
-// The input that is read back equals the input that was written, bit for bit.
+// The input of a tool is left out if it equals the tool's input in the previous frame. The input
+// that is read back equals the input that was written, bit for bit.
 #pragma once
 
 #include <span>
