@@ -10,8 +10,9 @@
 namespace resect {
 
 // Whether a recording keeps the ledger after this frame: true once per simulated second. The result
-// depends on the frame's number alone. A recording also keeps two other ledgers of each branch: at
-// the branch's start, and when operating pauses at the branch's end (Recorder::stood()).
+// depends on the frame's number alone. A recorded operation consists of branches
+// (operation/live/branch.h). A recording also keeps two other ledgers of each branch: at the
+// branch's start, and when operating pauses at the branch's end (Recorder::stood()).
 bool ledgerIsDue(std::int64_t frame, double frameRate);
 
 // Number of pieces in a ledger, of all organs together.

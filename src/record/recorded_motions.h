@@ -18,10 +18,11 @@ struct MotionTolerance {
 };
 
 // Returns a list of keys for each tool of RecordingFile::setup().scenario. The keys give the tool's
-// motion in the frames that lead from the start of the operation to `moment` (see courseTo()). They
-// begin when the tool is in hand for the first time, and end when it is in hand for the last time.
-// If the tool is out of hand in between, the keys follow its recorded pose. A tool that is never in
-// hand has no keys. Throws Error if the recording is damaged.
+// motion in the frames that lead from the start of the operation to `moment` (see courseTo()). The
+// first key is at the beginning of the first period in which the tool is in hand, the last key at
+// the end of the last such period. If the tool is out of hand in between, the keys follow its
+// recorded pose. A tool that is never in hand has no keys. Throws Error if the recording is
+// damaged.
 std::vector<std::vector<ToolKey>> recordedMotions(RecordingFile& file, const Moment& moment,
                                                   const MotionTolerance& tolerance = {});
 

@@ -1,5 +1,7 @@
 // Plays a recording: computes its frames again from their inputs. Also verifies that a replay gives
-// the recorded states and measurements again.
+// the recorded states and measurements again. A key state is a recorded state of the simulation,
+// from which playing can begin. A branch begins where the user went back and operated from an
+// earlier moment (operation/live/branch.h).
 #pragma once
 
 #include <functional>

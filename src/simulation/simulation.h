@@ -42,8 +42,8 @@ struct FrameInput {
   std::optional<float> iso;      // if given: new iso level, valid from this frame on
   // Edits from outside, such as those of a script. They are applied before the edits of the tools'
   // working parts (tools/working_part.h). The working parts queue their edits before any edit of
-  // the frame is applied. So they take account of the edits from outside only from the next frame
-  // on.
+  // the frame is applied. So edits from outside affect the edits of working parts from the next
+  // frame on.
   std::vector<TissueEdit> edits;
   // Whether the user let go of the input device before this frame. This ends a stroke, a period in
   // which instruments work on organs (operation/live/strokes.h). No stage of the step reads this.
@@ -71,7 +71,8 @@ struct StepReport {
   double time = 0;           // at the end of the frame, s
   std::int64_t removed = 0;  // number of particles removed
   double removedVolume = 0;  // volume removed, m^3
-  // severed: number of bonds severed by cuts and edits. torn: number of bonds torn by load.
+  // A bond connects two neighbouring particles. severed: number of bonds severed by cuts and edits.
+  // torn: number of bonds torn by load.
   std::int64_t severed = 0, torn = 0;
   // Number of bricks that were evaluated and meshed again. A brick is a block of nodes of the
   // colour field (sph/colour_field.h).
@@ -86,9 +87,9 @@ struct StepReport {
   std::vector<TissueEdit> caused;
   std::vector<TissueStep> tissue;  // one per organ
   std::vector<CutVessel> vessels;  // vessels that were cut, or cut further, in the frame
-  std::vector<CutVessel> slipped;  // vessels off which a clip slipped in the frame, each clip once
+  std::vector<CutVessel> slipped;  // vessels from which clips slipped; one entry per clip
   BloodReport blood;               // meaningful only if an organ has vessels
-  std::vector<Smoke> smoke;        // one for each Heat edit in an organ whose tissue boils
+  std::vector<Smoke> smoke;        // for each organ whose tissue boils: one per Heat edit in it
   // Per tool: mean force on the tool over the frame, N; zero if no tissue moves.
   std::vector<Vec3> toolForce;
   std::vector<std::string> faults;  // sentences: what went out of range, and what to change
@@ -173,7 +174,7 @@ class Simulation {
   // From now on each step also updates the vertices' normals and cut shares. Only pictures need
   // them. A cut share goes from 0 on the organ's original surface to 1 on cut faces.
   void keepLook();
-  // The mesh of surfaceMesh() with normals and cut shares. Throws Error unless keepLook() was
+  // The mesh of surfaceMesh() with normals and cut shares. Throws Error if keepLook() was not
   // called before.
   SurfaceTracker::Compact surface() const;
 

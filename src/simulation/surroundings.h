@@ -15,7 +15,7 @@ struct StandingBody {
   std::string name;
   TriangleMesh shape;  // closed
   Pose pose;           // of the shape in the world
-  // The distances to the body are stored on a grid. This is the side of the grid's cells, m. 0: a
+  // The distances to the body are stored on a grid. `cell` is the side of the grid's cells, m. 0: a
   // third of a tissue cell, but at least 1 mm and at most 3 mm. The time to make the grid is
   // proportional to the number of its cells.
   double cell = 0;

@@ -10,12 +10,12 @@
 // the centre of cell 0, so the field at the outermost nodes is always 0. A "cell" here is a cell of
 // the lattice. A "grid cell" is a box with eight neighbouring nodes as its corners.
 //
-// Nodes are held in bricks of 4 x 4 x 4 nodes. A brick is stored only if the surface can pass
-// through it. In all other bricks the values of the nodes are known: all cells in the brick's reach
-// (the cells that have a weight at one of its nodes) are empty, or all are full. A change of a cell
-// is never added to the field or subtracted from it. Instead, the bricks in the cell's reach are
-// evaluated again. So the field depends on the present cells alone, bit for bit. The cost of a
-// change depends on the number of bricks in reach, not on the size of the organ. The first change
+// Nodes are held in bricks of 4 x 4 x 4 nodes. A brick is stored if the surface can pass through
+// it. In all other bricks the values of the nodes are known: all cells in the brick's reach (the
+// cells that have a weight at one of its nodes) are empty, or all are full. A change of a cell is
+// never added to the field or subtracted from it. Instead, all bricks that have the cell in their
+// reach are evaluated again. So the field depends on the present cells alone, bit for bit. The cost
+// of a change depends on the number of these bricks, not on the size of the organ. The first change
 // also writes 5 bytes for each brick of the grid.
 #pragma once
 
@@ -41,8 +41,8 @@ class ColourField {
  public:
   // The slot of a brick is the number under which its nodes are stored. A brick that is not stored
   // has one of the following two values as its slot. kEmpty: the field is 0 at all nodes of the
-  // brick. kFull: all nodes of the brick lie in solid tissue. The same holds for the planes of
-  // nodes just above the brick, which belong to the next bricks.
+  // brick. kFull: all nodes of the brick lie in solid tissue. Both statements also hold for the
+  // planes of nodes just above the brick, which belong to the next bricks.
   static constexpr std::int32_t kEmpty = -1;
   static constexpr std::int32_t kFull = -2;
 
@@ -50,9 +50,9 @@ class ColourField {
   static bool canHold(const Lattice& lattice, int refine);
   // refine: nodes per cell along each axis, 1 to 4. canHold() must be true. Evaluates all bricks.
   ColourField(const Discretization& cells, int refine);
-  // As above, but does not evaluate the stored bricks. The caller must evaluate them with
-  // evaluateBuilt(). Then the caller can read the nodes of a brick while they are still in the
-  // cache.
+  // As above, but does not evaluate the stored bricks. The caller must evaluate these bricks with
+  // evaluateBuilt(). So the caller can read the nodes of a brick soon after they were evaluated,
+  // while they are still in the cache.
   struct NodesLater {};
   ColourField(const Discretization& cells, int refine, NodesLater);
   // The bricks that were stored when the field was built, in ascending order. The i-th of these
@@ -129,8 +129,8 @@ class ColourField {
   static constexpr std::int32_t kUnedited = -3;
   // node / refine. If refine is 1, 2 or 4, no division is needed.
   int cellOf(int node) const { return refine_ == 3 ? node / 3 : node >> refine_ / 2; }
-  // Per axis: position of a brick's first node within its cell, 0 to refine - 1. Always 0 unless
-  // refine is 3.
+  // Per axis: position of a brick's first node within the cell of this node, 0 to refine - 1.
+  // Always 0 for refine 1, 2 and 4.
   Vec3i phase(const Vec3i& brick) const {
     if (stencil_->phases == 1) return Vec3i::Zero();
     const auto along = [&](int b) { return kBrickNodes * b % refine_; };
@@ -172,11 +172,12 @@ class ColourField {
   RawArray<float> values_;  // the nodes of stored bricks, at firstNode(slot)
   std::vector<std::int32_t> freeSlots_;
   // Per brick: kUnedited; or, for an edited brick, the place of its node values from before any
-  // edit: a slot of originals_, kFull or kEmpty. Empty before the first change.
+  // edit: a slot of originals_, kFull or kEmpty. The vector has no elements before the first
+  // change.
   std::vector<std::int32_t> originalOf_;
   RawArray<float> originals_;  // nodes of edited bricks before any edit
   // Per brick: the bit kPending, and one bit for each plane of nodes that update() must evaluate.
-  // Empty before the first change.
+  // The vector has no elements before the first change.
   std::vector<std::uint8_t> pendingOf_;
   std::vector<std::int64_t> pending_;  // bricks in reach of cells set since the last update
   std::vector<std::int64_t> touched_;  // result of the last update

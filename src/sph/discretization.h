@@ -25,11 +25,11 @@ struct Discretization {
   // Fitted colour values (organ/fit_surface.h) reproduce the organ's surface, but not its volume.
   // To correct the volume, cellVolume() multiplies values below 100 by this factor.
   double skinScale = 1;
-  // Label of each cell: the structure that it belongs to; 0 is the organ's own parenchyma. If the
-  // array is empty, all cells have label 0.
+  // Label of each cell: the structure that it belongs to; 0 is the parenchyma, the organ's own
+  // tissue. If the array is empty, all cells have label 0.
   std::vector<std::uint8_t> label;
-  // Names, indexed by label; empty for a label without a name. Labels beyond the end have no name
-  // either.
+  // Names, indexed by label; empty for a label without a name. Labels beyond the end of the vector
+  // have no name either.
   std::vector<std::string> labelNames;
   std::vector<Landmark> landmarks;
 
@@ -67,8 +67,8 @@ struct Discretization {
   }
 };
 
-// Throws Error unless Lattice::sound() holds and each array has one entry per cell (`label` may be
-// empty).
+// Throws Error if Lattice::sound() is false, or if an array does not have one entry per cell.
+// `label` may be empty.
 void requireSound(const Discretization& cells);
 
 }  // namespace resect

@@ -5,9 +5,9 @@
 // The rest lattice is regular, so nodes at the same position within their cells have the same
 // weights. With one or two nodes per cell along an axis (refine 1 and 2), every node lies, along
 // each axis, at a cell centre or midway between two centres. Cells that are mirror images about the
-// node then have equal weights. The values of such cells are added first, one axis after the other.
-// This leaves four to eight products per node instead of up to 36. With refine 3 and 4 each cell's
-// value is multiplied by a weight of its own.
+// node then have equal weights. The values of such cells are added first, one axis after the other;
+// the results are called mirrored sums. This leaves four to eight products per node instead of up
+// to 36. With refine 3 and 4 each cell's value is multiplied by a weight of its own.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ namespace resect {
 
 constexpr int kBrickNodes = 4;                // nodes of a brick along each axis
 constexpr int kBrickSize = 64;                // nodes of a brick in all
-constexpr double kSmoothingPerSpacing = 0.8;  // h / spacing: the kernel's radius is two cells
+constexpr double kSmoothingPerSpacing = 0.8;  // h / spacing; the kernel's radius 2.5 h is two cells
 
 struct FieldStencil {
   // One value for each node of half a plane of a brick: two rows of four nodes.
@@ -62,15 +62,15 @@ const FieldStencil& fieldStencil(int refine);
 // low: points to the value of the lowest cell that the brick's nodes reach. Along each axis, this
 // cell is one below the cell of the brick's first node. alongY, alongZ: distances in memory between
 // cells that are neighbours along y and z, counted in floats. Reads up to 6 cells along each axis,
-// from `low` on. The values of a plane have the same bits whichever other planes are evaluated, and
-// with any instruction set.
+// from `low` on. The results have the same bits with any instruction set. The bits of one plane do
+// not depend on which other planes are evaluated.
 void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const float* low,
               std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out);
 
 // As above, for cells that are stored as levels (sph/colour_values.h). The results have the same
 // bits as for floats. alongY and alongZ are counted in cells. Reads up to 16 cells along x. This
-// overload uses AVX2 where the machine has it. sumBrickPlainly() computes the same bits without it;
-// tests and benchmarks compare the two.
+// overload uses AVX2 where the machine has it. sumBrickPlainly() computes the same bits without
+// AVX2; tests and benchmarks compare the two.
 void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const std::uint8_t* low,
               std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out);
 

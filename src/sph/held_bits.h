@@ -32,7 +32,7 @@ struct HeldBits {
 // if any cell of the box holds tissue. Bit i of the words from bits[held.words] on is set if any
 // cell of the box is not full. width, rows, planes: number of cells of the box along x, y and z.
 // first: number of the row where the box begins. perPlane: number of rows of cells in a plane of
-// cells, including the rows of a halo. bits: room for held.row words.
+// cells, including the rows of empty cells round the lattice. bits: room for held.row words.
 void holdTogether(const HeldBits& held, std::size_t first, int rows, int planes,
                   std::size_t perPlane, int width, std::uint64_t* bits);
 

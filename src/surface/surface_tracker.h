@@ -13,12 +13,12 @@
 // marching cubes as usual.
 //
 // points(), normals(), cut() and triangles() are arrays for viewers. Each brick owns a range of the
-// vertices and a range of the triangles. A brick keeps its ranges as long as the rounded sizes of
-// the ranges (surface/range_allocator.h) stay the same. So the arrays have unused elements
-// ("holes"). An unused triangle is (0, 0, 0). changes() lists the ranges that a viewer must copy
-// again. The cut share of a vertex goes from 0 on the original surface to 1 on cut faces
-// (isosurface/brick_look.h). Only pictures need normals and cut shares, so these are computed only
-// when updateLook() is called.
+// vertices and a range of the triangles. The sizes of ranges are rounded up
+// (surface/range_allocator.h), so the arrays have unused elements ("holes"). A brick keeps its
+// ranges as long as their rounded sizes stay the same. An unused triangle is (0, 0, 0). changes()
+// lists the ranges that a viewer must copy again. The cut share of a vertex goes from 0 on the
+// original surface to 1 on cut faces (isosurface/brick_look.h). Only pictures need normals and cut
+// shares, so these are computed only when updateLook() is called.
 #pragma once
 
 #include <array>
@@ -73,7 +73,7 @@ class SurfaceTracker {
   std::span<const Triangle> triangles() const { return triangles_; }
   std::int64_t triangleCount() const { return triangleCount_; }  // holes not counted
 
-  // Calls visit(first, bindings) for each brick near a wound. `first` is the index of the brick's
+  // Calls visit(first, bindings) for each brick near the wound. `first` is the index of the brick's
   // first vertex. `bindings` has, for each vertex of the brick in order, the particles with which
   // the vertex moves. A vertex of any other brick moves with all particles at the corners of the
   // lattice cube that contains the vertex (wound/vertex_binding.h).
@@ -99,8 +99,8 @@ class SurfaceTracker {
     }
   }
 
-  // Calls visit(triangle, lip) for each triangle of a brick. lip: true for a triangle of a lip of a
-  // wound, false for a triangle of the organ's outer surface.
+  // Calls visit(triangle, lip) for each triangle of a brick. lip: true for a triangle of a lip,
+  // false for a triangle of the organ's outer surface.
   template <typename Visit>
   void visitBrick(std::int64_t brick, Visit visit) const {
     const BrickMesh& mesh = meshOf(brick);
@@ -158,8 +158,8 @@ class SurfaceTracker {
  private:
   static constexpr std::int32_t kNone = -1;
   // The first two entries of bricks_ stand for all bricks without a mesh: entry kOutside for bricks
-  // outside tissue, entry kInside for bricks inside tissue. So the inside mask of a neighbouring
-  // brick can be read without a test whether that brick has a mesh.
+  // outside tissue, entry kInside for bricks inside tissue. So the mask of a neighbouring brick's
+  // inside nodes can be read without a test whether that brick has a mesh.
   static constexpr std::int32_t kOutside = 0, kInside = 1, kFirstOwn = 2;
   struct BrickMesh {
     BrickSigns signs;

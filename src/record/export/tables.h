@@ -22,8 +22,8 @@ struct RecordingTable {
 std::span<const RecordingTable> recordingTables();
 
 // Writes the table as CSV, atomically (io/output/atomic_file.h), and returns the number of its rows
-// without the header. Memory: for the table `frames`, a few numbers; for each other table, all rows
-// of one branch.
+// without the header. A recorded operation consists of branches (operation/live/branch.h). Memory:
+// for the table `frames`, a few numbers; for each other table, all rows of one branch.
 std::int64_t exportTable(Replay& replay, const ExportedPart& part, const RecordingTable& table,
                          const std::filesystem::path& path, const Progress& progress = {});
 

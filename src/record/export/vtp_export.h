@@ -19,8 +19,8 @@ struct VtpSeries {
 VtpSeries seriesOf(const std::filesystem::path& name, const std::string& option);
 
 // Writes one .vtp file for each moment, with the surfaces of all organs, and then the .pvd file.
-// Times are simulated times of the operation. The caller must have removed files of an earlier run
-// (removeNumberedFiles()). Returns the number of .vtp files.
+// The times in the files are simulated times of the operation. The caller must have removed files
+// of an earlier run (removeNumberedFiles()). Returns the number of .vtp files.
 std::int64_t exportVtp(Replay& replay, const ExportedPart& part, const VtpSeries& series,
                        const Progress& progress = {});
 

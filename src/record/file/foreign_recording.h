@@ -1,9 +1,9 @@
 // Reads a recording from an untrusted source.
 //
 // SQLite reads the file's bytes in a child process, inside the sandbox
-// (formats/child/child_process.h). The child answers with the rows of all tables. This process
-// checks the type of each value and inserts the rows into a database in memory, whose tables it has
-// created itself. So only numbers, texts and blobs from the file reach this process.
+// (formats/child/child_process.h). The child answers with the rows of all tables. The parent
+// process checks the type of each value and inserts the rows into a database in memory, whose
+// tables the parent has created. So only numbers, texts and blobs from the file reach the parent.
 #pragma once
 
 #include <cstdint>
@@ -45,8 +45,8 @@ Bytes unpackForeign(std::span<const std::byte> packed, std::int64_t size, const 
 
 // The two halves of addForeignRows(), declared here for tests. rowsOf() runs in the child and
 // returns all rows as bytes. It throws Error if the result is larger than 1 MB plus four times the
-// size of the recording. addRows() runs in this process: it adds the rows to `own` and returns the
-// errors that the integrity check found.
+// size of the recording. addRows() runs in the parent process: it adds the rows to `own` and
+// returns the errors that the integrity check found.
 std::string rowsOf(RecordingBytes& bytes, const RecordingShape& shape, const std::string& name);
 std::string addRows(std::string_view rows, const RecordingShape& shape, Database& own);
 

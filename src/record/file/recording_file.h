@@ -59,9 +59,10 @@ struct RecordedSample {
 // all tissue (operation/ledger/ledger.h).
 struct RecordedLedger {
   struct Amount {
+    // label: number of the structure to which the tissue belongs (Discretization::label).
     std::int64_t organ = 0, label = 0;
-    // Which tissue: "before", all tissue before the operation; or the tissue that is now "body",
-    // "piece", "debris" or "removed" (TissueSplit).
+    // "before": all tissue before the operation. "body", "piece", "debris" and "removed": what the
+    // tissue now belongs to (TissueSplit).
     std::string part;
     // Number of the piece: 1 for the largest piece, 2 for the next, and so on. 0 for other parts.
     std::int64_t number = 0;
@@ -139,8 +140,8 @@ class RecordingFile {
   void add(const RecordedLedger& ledger);
   // Copies everything into an empty file and marks the copy as a finished recording. Must not be
   // called between begin() and commit(). name: the file's name in messages. moment: what moment()
-  // returns for the copy. If its frame is after the end of the branch, moment() returns the
-  // branch's last frame.
+  // returns for the copy. If the frame in `moment` is after the end of its branch, moment() returns
+  // the last frame of this branch.
   void copyTo(const std::filesystem::path& path, const std::string& name,
               std::optional<Moment> moment);
   // Marks the recording as complete and merges the write-ahead log into the file.

@@ -1,9 +1,9 @@
 // An attempt at a task, as a recording shows it: plain data from which all measures are computed.
 //
 // readAttempt() (skills/attempt/read_attempt.h) makes an Attempt by playing the recording: it
-// computes the recorded frames again. So an old recording can be scored again, even by measures
-// that did not exist when the recording was made. "At rest" and "in rest space" mean: in the
-// positions before any deformation.
+// computes the recorded frames again. So an old recording can also be scored by measures that were
+// added later. "At rest" and "in rest space" mean: in the positions before any deformation. The
+// goal's structure is the structure that the goal of the task names, such as a tumour.
 #pragma once
 
 #include <optional>
@@ -72,8 +72,8 @@ struct ClipPlaced {
 struct TissueMoment {
   double time = 0;  // s
   // Volumes, m^3, summed over all organs. body: the largest part of each organ. pieces: parts that
-  // came off. removed: destroyed tissue, together with debris, the parts that are too small to be a
-  // piece.
+  // came off. removed: destroyed tissue and debris; debris are loose parts that are too small to be
+  // a piece.
   double body = 0, pieces = 0, removed = 0;
   double cut = 0;  // area cut or torn, m^2
 };
@@ -85,8 +85,8 @@ struct Specimen {
   double target = 0;            // volume of the goal's structure in the piece, m^3
 };
 
-// A frame in which the goal's instrument was at work, with the instrument's position relative to
-// the goal's line or plane.
+// A frame in which an instrument worked that the goal accepts for the cut. The position of the
+// instrument is given relative to the goal's line or plane.
 struct WorkMoment {
   std::size_t frame = 0;
   double along = 0;  // position along the line, m from its beginning
@@ -99,14 +99,14 @@ struct GoalTrace {
   // instruments that are in hand and that the goal accepts count. Infinite if there is no such
   // instrument.
   std::vector<std::vector<float>> distance;
-  // Positions, m, of the targets, or of points along the line at most 3 mm apart, or of the point
-  // of the plane. restPlaces: in rest space. places: in the world, at the end of the last frame
-  // before an instrument begins to work. By then the tissue has sunk under its weight and lies
-  // still.
+  // Positions, m. Depending on the kind of goal, they are the positions of the targets, of points
+  // along the line at most 3 mm apart, or of the point through which the plane is laid. restPlaces:
+  // in rest space. places: in the world, at the end of the last frame before an instrument begins
+  // to work. By then the tissue has sunk under its weight and lies still.
   std::vector<Vec3> restPlaces, places;
   double lineLength = 0;  // m
   std::vector<WorkMoment> work;
-  std::vector<char> held;  // per frame: 1 if the goal's holding instrument grips tissue
+  std::vector<char> held;  // per frame: 1 if the instrument TaskGoal::holdWith grips tissue
 };
 
 struct Attempt {
@@ -123,8 +123,8 @@ struct Attempt {
   std::vector<double> bled;          // per frame: blood lost so far, m^3
   std::vector<VesselStory> vessels;  // in the order in which they were cut
   std::vector<ClipPlaced> clips;
-  double inflowOccluded = 0;  // time during which the inflow was occluded, s
-  int inflowCycles = 0;       // number of times the inflow was occluded
+  double inflowOccluded = 0;  // time during which the inflow of blood was clamped, s
+  int inflowCycles = 0;       // number of times the inflow of blood was clamped
 
   bool tissueMoves = false;
   std::vector<TissueMoment> tissue;
@@ -134,14 +134,16 @@ struct Attempt {
   // that were cut or lost tissue.
   bool otherStructures = false;
   std::vector<std::string> hurt;
-  std::int64_t torn = 0;  // number of torn bonds
+  std::int64_t torn = 0;  // number of torn bonds, the connections of neighbouring cells
   // Volume of the goal's structure before the operation, m^3.
   double targetBefore = 0;
-  std::optional<double> margin;  // margin of the goal's structure, m; none if nothing was cut
-  // margins: points of faces that were cut, or bared by removing tissue, and that are nearer to the
-  // goal's structure than 2.5 times TaskGoal::margin. targetMiddle: mean of the structure's cell
-  // centres. targetReach: largest distance of a cell centre from targetMiddle. Positions and
-  // distances are in rest space, m.
+  // Least distance of the goal's structure from a face that was cut, or bared by removing tissue,
+  // m; none if there is no such face.
+  std::optional<double> margin;
+  // margins: points of faces that were cut, or bared by removing tissue. The distance of these
+  // points from the goal's structure is less than 2.5 times TaskGoal::margin. targetMiddle: mean of
+  // the structure's cell centres. targetReach: largest distance of a cell centre from targetMiddle.
+  // Positions and distances are in rest space, m.
   std::vector<MarginPlace> margins;
   Vec3 targetMiddle = Vec3::Zero();
   double targetReach = 0;

@@ -19,8 +19,8 @@ class AttemptReader {
   // task, attempt.task must be set already. Throws Error if the organ lacks what the task names.
   AttemptReader(Attempt& attempt, const Scenario& scenario, const Simulation& simulation);
 
-  // To be called after each step. Cost: a few microseconds. Once per simulated second, the cost of
-  // a ledger is added, an account of all tissue (operation/ledger/ledger.h).
+  // To be called after each step. Cost: a few microseconds; once per simulated second also the cost
+  // of a ledger. A ledger is an account of all tissue (operation/ledger/ledger.h).
   void add(const Simulation& simulation, const StepReport& report);
   // Updates the amounts of tissue, which add() updates only once per simulated second, and the
   // amounts that each vessel has bled.

@@ -17,8 +17,8 @@ struct TissuePoint {
   std::int64_t cell = -1;  // particle that the point moves with; -1: none
 };
 
-// The points of the tissue at these places. organ: its state before the operation. Throws Error if
-// a place names a landmark that the organ lacks. Cost: a pass over the surface for each place.
+// The points of the tissue at these places. organ: in its state before the operation. Throws Error
+// if a place names a landmark that the organ lacks. Cost: a pass over the surface for each place.
 std::vector<TissuePoint> goalPlaces(const std::vector<TaskPlace>& places, const Organ& organ);
 // The point of the tissue at a position in rest space, m.
 TissuePoint tissuePoint(const Vec3& rest, const Organ& organ);

@@ -10,8 +10,8 @@
 namespace resect {
 
 // Adds up, per instrument, for how long its tip was outside the picture while it was in hand
-// (InstrumentRecord::unseen). events: of a branch. first, last: the events after frame `first`, up
-// to frame `last`, count.
+// (InstrumentRecord::unseen). events: the events of one branch (operation/live/branch.h). Only
+// events after frame `first` and up to frame `last` are used.
 void addUnseen(std::span<const OperationEvent> events, std::int64_t first, std::int64_t last,
                Attempt& attempt);
 

@@ -57,8 +57,8 @@ void usePseudonyms(std::vector<ClassFile>& files);
 // How hard a check is. A check compares a measure with a limit or band (score/verdict.h). attempts:
 // number of graded attempts at the task in which the check was made. kept: number of these attempts
 // in which the limit or band was kept. Some measures add up during the work, such as time (addsUp()
-// in findings.h). If an attempt missed its goal, a kept check of such a measure is left out of both
-// numbers.
+// in findings.h). If an attempt missed its goal, its kept checks of such measures are left out of
+// both numbers: they may have been kept only because little was done.
 struct CheckDifficulty {
   std::string measure;  // "": the goal
   int kept = 0, attempts = 0;

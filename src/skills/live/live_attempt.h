@@ -22,8 +22,8 @@ struct AttemptProgress {
   bool reached = false;  // whether the goal is reached
   double since = 0;      // when the goal was reached, s since the start; 0: not reached
   std::string next;      // what to do next, a sentence
-  // Time from the first bleeding until now, s; if the task's goal is to stop the bleeding, only
-  // until the bleeding was stopped. None: nothing has bled.
+  // Time from the first bleeding until now, s. If the task's goal is to stop the bleeding, this
+  // time ends when the bleeding is stopped. None: nothing has bled.
   std::optional<double> bleeding;
   double rested = 0;       // s since an instrument was last in hand
   std::size_t target = 0;  // number of the next target, from 0
@@ -42,17 +42,17 @@ class LiveAttempt : public std::enable_shared_from_this<LiveAttempt> {
   // lacks what the task names.
   LiveAttempt(const Scenario& scenario, const Simulation& simulation);
 
-  // Returns a watch, a set of callbacks, for the operation. Each callback calls that of `next`
-  // first, and then updates this object. The watch keeps this object alive.
+  // Returns a watch, a set of callbacks, for the operation. Each of its callbacks first calls the
+  // same callback of `next`, and then updates this object. The watch keeps this object alive.
   OperationWatch watch(OperationWatch next);
   // May be called from any thread. The result changes ten times per simulated second.
   AttemptProgress progress() const;
   // The attempt up to a frame, as readAttempt() would make it from the recording, with one
-  // difference: VesselStory::bled has the present values. After this call the operation is not
-  // followed any more. frames: number of frames since the start that belong to the attempt. No
-  // instrument may have been in hand in later frames. simulation: that of the operation; it must
-  // not step during the call. No result if work was taken back. Cost: up to a second
-  // (AttemptReader::measureMargins()).
+  // difference: VesselStory::bled has the values at the time of the call. After this call the
+  // operation is not followed any more. frames: number of frames since the start that belong to the
+  // attempt. No instrument may have been in hand in later frames. simulation: the operation's
+  // simulation, which must not step during the call. No result if work was taken back. Cost: up to
+  // a second (AttemptReader::measureMargins()).
   std::optional<Attempt> end(std::int64_t frames, const Simulation& simulation);
 
  private:

@@ -1,7 +1,7 @@
 // Movements: ranges of an instrument's track in which the instrument moves. A track holds samples,
 // the positions at equal intervals of time (track.h). The rule is that of the training software
-// PerkTutor (PythonMetrics): a change between rest and motion counts only if the new state lasts
-// long enough.
+// PerkTutor (PythonMetrics): a change between rest and motion is ignored if the new state is too
+// short.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
-// Smoothness of a movement by its speed profile (Balasubramanian et al. 2015,
+// Smoothness of a movement, computed from its speed profile (Balasubramanian et al. 2015,
 // 10.1186/s12984-015-0090-9). Both measures are dimensionless. The smoother a movement is, the
-// nearer they are to 0.
+// nearer both measures are to 0.
 #pragma once
 
 #include <optional>

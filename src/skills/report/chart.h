@@ -34,7 +34,7 @@ std::string toSvg(const TimeChart& chart);
 
 struct PathView {
   std::string title;
-  int across = 0, up = 1;               // axes of the world, 0 to 2
+  int across = 0, up = 1;               // world axes (0 to 2) drawn horizontally and vertically
   bool upDown = false;                  // true: the vertical axis of the picture points down
   std::vector<ChartCurve> curves;       // coordinates along the two axes, m
   std::vector<Eigen::Vector2d> places;  // centres of circles: targets or points of a line, m

@@ -10,8 +10,8 @@ namespace resect {
 // A table of all measures of the last attempt. Further columns give the task's limits, the previous
 // attempt and the mean of the reference attempts.
 std::string figureTable(const Debrief& debrief);
-// The published figures with their sources; "" if there are none. own: measures of an attempt,
-// which are shown beside the published figures; may be empty.
+// A table of the figures of published studies, with their sources; "" if there are none. own:
+// measures of an attempt, which are shown beside the published figures; may be empty.
 std::string studyTable(std::span<const PublishedStudy> studies, std::span<const Measured> own);
 // A section about the vessels that were cut; "" if none was cut.
 std::string vesselSection(const Attempt& attempt);

@@ -19,8 +19,8 @@ void writeAttemptRows(CsvWriter& csv, std::span<const Scored> attempts);
 // One row per frame and instrument in hand: time, instrument, pose, force, pedal.
 void writeSampleRows(CsvWriter& csv, const Attempt& attempt);
 
-// The number rounded to six significant digits. So the printed number is the same on every machine.
-// Returns 0 if the number is not finite or if its absolute value is below 1e-9.
+// The number rounded to six significant digits, since further digits can differ from machine to
+// machine. Returns 0 if the number is not finite or if its absolute value is below 1e-9.
 double printed(double value);
 
 }  // namespace resect

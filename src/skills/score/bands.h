@@ -26,7 +26,7 @@ struct PublishedStudy {
   std::string name;    // name of the file, without .toml
   std::string study;   // "Lefor 2022"
   std::string source;  // DOI or address
-  std::string about;   // the study's task, and how far its results can be compared
+  std::string about;   // the study's task; how far its results can be compared with an attempt
   std::vector<PublishedBand> bands;
 };
 

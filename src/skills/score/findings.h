@@ -18,8 +18,8 @@ std::vector<Deduction> findings(const Attempt& attempt, const GoalResult& goal,
 // goal, and not as a fault of its own.
 bool ranOut(const Check& check, const GoalResult& goal);
 
-// Whether a measure adds up during the work, such as time, path length and blood loss. A low value
-// of such a measure is good only if the goal was reached.
+// Whether a measure adds up during the work, such as time, path length and blood loss. If the goal
+// was not reached, a low value of such a measure is not praised.
 bool addsUp(std::string_view measure);
 
 // Sentences about what was good: the goal, if it was reached; the checks that were kept; and that

@@ -15,13 +15,13 @@ struct GoalResult {
   std::string sentence;            // what was reached or missed, for people
   std::optional<double> time;      // when the goal was reached or was missed, s
   std::vector<Measured> measures;  // measures that only goals of this kind have
-  // The parts of the line that were not followed. missing: as text. unfollowed: beginning and end
-  // of each part, as distances along the line from its beginning, m.
+  // For a goal with a line: the parts of the line that were not followed. missing: as text.
+  // unfollowed: beginning and end of each part, as distances along the line from its beginning, m.
   std::string missing;
   std::vector<std::pair<double, double>> unfollowed;
 };
 
-// A line counts as followed if at least this share of its length was followed.
+// For the goal to follow a line, at least this share of the line's length must be followed.
 inline constexpr double kLineFollowed = 0.9;
 
 // attempt.task must be given.

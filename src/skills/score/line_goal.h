@@ -17,8 +17,9 @@ OffLine offLine(const Attempt& attempt);
 // How well the line was followed. goal: the goal of attempt.task.
 GoalResult followResult(const Attempt& attempt, const TaskGoal& goal);
 
-// How near the line is to be followed, as text, such as "no farther than 8 mm from it". The text
-// names two distances if 90 % of the line (kLineFollowed) has a stricter limit than the rest.
+// How near to the line the instrument must stay, as text, such as "no farther than 8 mm from it".
+// The text names two distances if the limit for 90 % of the line (kLineFollowed) is stricter than
+// the limit for the rest.
 std::string nearText(const Task& task);
 
 }  // namespace resect

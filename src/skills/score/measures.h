@@ -18,11 +18,12 @@ struct Measured {
   double value = 0;        // in the measure's unit
 };
 
-// Measures of vessels count only vessels with at least this diameter; a setting of ours.
+// Measures of vessels leave out vessels with a smaller diameter than this; a setting of ours.
 inline constexpr double kNotableVessel = 0.002;  // m
 
-// A vessel that was cut before the operation began counts as open only if it has lost more blood
-// than this, since a nick that does not bleed need not be closed. A setting of ours.
+// A volume of blood. If a vessel was cut before the operation began and has lost no more than this,
+// the measure of open vessels leaves it out, since such a small injury need not be closed. A
+// setting of ours.
 inline constexpr double kBleeds = 1e-7;  // m^3
 
 // Measures that cannot be computed are left out, for example forces if no tissue moves. The goal's

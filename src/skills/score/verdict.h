@@ -34,9 +34,9 @@ struct Verdict {
   bool passed = false;
   bool graded = true;
   std::string reason;  // one sentence
-  // A number from 0 to 1: half of the share of the goal that was done, plus half of the share of
-  // checks that were kept. The second half counts only if the goal was reached and no rule on
-  // instruments or undo was broken; otherwise it is 0.
+  // A number from 0 to 1: 0.5 times the share of the goal that was done, plus 0.5 times the share
+  // of checks that were kept. If the goal was not reached, or if a rule on instruments or undo was
+  // broken, the second term is 0.
   double score = 0;
   GoalResult goal;
   std::vector<Check> checks;
