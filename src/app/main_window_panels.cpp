@@ -277,7 +277,10 @@ QString MainWindow::nextStep() const {
       tools.how() == ToolHandling::Hold::Guided
           ? tools.surfaceHand() && tools.surfaceHand()->target
                 ? Words::tr("at the white ring")
-                : Words::tr("%1 mm deep (wheel)").arg(std::lround(1e3 * tools.depth(tools.held())))
+                : (tools.isLeastDeep(tools.held())
+                       ? Words::tr("%1 mm deep, the least for cells of this size (wheel)")
+                       : Words::tr("%1 mm deep (wheel)"))
+                      .arg(std::lround(1e3 * tools.depth(tools.held())))
           : QString();
   switch (tools.how()) {
     case ToolHandling::Hold::None:

@@ -106,7 +106,8 @@ TEST_CASE("a stroke over the dome or a lobe, along or across, opens the skin in 
     }
 }
 
-TEST_CASE("a shallow stroke, of less than a cell, opens the skin in few pieces") {
+TEST_CASE(
+    "the wheel takes the scalpel no shallower than a stroke that opens the skin in one line") {
   for (const auto& [from, to] : {std::pair(SbVec2s(-60, 30), SbVec2s(-20, -10)),
                                  std::pair(SbVec2s(-10, 35), SbVec2s(0, -20)),
                                  std::pair(SbVec2s(10, -10), SbVec2s(60, -25))}) {
@@ -114,7 +115,8 @@ TEST_CASE("a shallow stroke, of less than a cell, opens the skin in few pieces")
     const SbVec2s begin = bench.onOrgan(from[0], from[1]), end = bench.onOrgan(to[0], to[1]);
     bench.take(kScalpel, begin);
     for (int i = 0; i < 5; ++i) bench.button(begin, true, SoMouseButtonEvent::BUTTON5);
-    REQUIRE(bench.tools().depth(kScalpel) == doctest::Approx(0.006));
+    REQUIRE(bench.tools().depth(kScalpel) == doctest::Approx(0.010));
+    CHECK(bench.tools().isLeastDeep(kScalpel));
     bench.press(begin);
     bench.draw(begin, end);
     bench.release(end);

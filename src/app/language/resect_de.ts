@@ -3917,5 +3917,9 @@
         <source>hold the left button down beside the liver: it closes the inflow, or opens it again</source>
         <translation>linke Taste neben der Leber halten: sie verschließt den Zufluss oder öffnet ihn wieder</translation>
     </message>
+    <message>
+        <source>%1 mm deep, the least for cells of this size (wheel)</source>
+        <translation>%1 mm tief, das Mindeste bei Zellen dieser Größe (Mausrad)</translation>
+    </message>
 </context>
 </TS>

@@ -24,12 +24,15 @@ bool isIn(const SbVec2s& pixel, const SbViewportRegion& viewport) {
 
 }  // namespace
 
-void ToolHandling::guide(std::span<const ToolModel> models) {
+void ToolHandling::guide(std::span<const ToolModel> models, double spacing) {
   require(int(models.size()) == toolCount(), "there are {} models for {} tools; give one for each",
           models.size(), toolCount());
   models_ = models;
-  depths_.clear();
-  for (const ToolModel& model : models_) depths_.push_back(handStyleOf(model).depth);
+  styles_.clear(), depths_.clear();
+  for (const ToolModel& model : models_) {
+    styles_.push_back(handStyleOf(model, spacing));
+    depths_.push_back(styles_.back().depth);
+  }
 }
 
 bool ToolHandling::hasPedal() const {
@@ -53,7 +56,7 @@ Pose ToolHandling::wanted(int tool) const {
 
 // The tool that is now held is brought to the pointer, its handle towards the viewer.
 void ToolHandling::takeUpHeld() {
-  const HandStyle style = handStyleOf(models_[std::size_t(held_)]);
+  const HandStyle& style = styles_[std::size_t(held_)];
   Vec3 towardsViewer = -onScreen(Vec3::UnitZ());
   towardsViewer.y() = 0;
   hand_ = takeUp(style, style.forward < 0 ? Vec3(-towardsViewer) : towardsViewer);

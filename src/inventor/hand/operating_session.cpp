@@ -99,7 +99,8 @@ OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Sim
       operation_(std::move(simulation), restsOf(scenario), scenario.frameRate, std::move(watch),
                  std::move(history), std::move(ledger_), paused) {
   for (const ToolModel& model : toolModels_) toolSlices_.push_back(slicesOf(model.mesh));
-  if (scenario.mode == OperationMode::Operation) tools_.guide(toolModels_);
+  if (scenario.mode == OperationMode::Operation)
+    tools_.guide(toolModels_, cells_.lattice.spacing.maxCoeff());
   tools_.changed = [this] { handMoved(); };
   tools_.released = [this] { operation_.endStroke(); };
   tools_.readyPlace = Vec3(organBox_.centre().x(), organBox_.max.y() + 0.02,
@@ -378,23 +379,6 @@ void OperatingSession::bringEverythingBack(double aspect) {
   stopPlaying();
   for (int i = 0; i < tools_.toolCount(); ++i) tools_.putBack(i);
   look(RoomView::Surgeon, aspect);
-}
-
-std::optional<SurfacePoint> OperatingSession::pointUnder(const SbVec2s& pixel,
-                                                         const SbViewportRegion& viewport) const {
-  return PointedSurface(room()).under(pixel, viewport);
-}
-
-SbVec2s OperatingSession::pixelOf(const Vec3& point, const SbViewportRegion& viewport) const {
-  const SbViewVolume volume = viewVolumeOf(*room().camera(), viewport);
-  SbVec3f screen;
-  volume.projectToScreen(SbVec3f(float(point.x()), float(point.y()), float(point.z())), screen);
-  const SbVec2s size = viewport.getViewportSizePixels();
-  return {short(screen[0] * size[0]), short(screen[1] * size[1])};
-}
-
-Vec3 OperatingSession::middleOfTool(int tool) const {
-  return tools_.pose(tool) * bounds(toolModels_[std::size_t(tool)].mesh).centre();
 }
 
 }  // namespace resect

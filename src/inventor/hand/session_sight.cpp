@@ -1,10 +1,12 @@
-// Which tips of instruments the picture shows, and by which light.
+// What an operating session shows where: points of organs and instruments in the picture, and by
+// which light.
 #include <Inventor/SbViewportRegion.h>
 
 #include <cmath>
 
 #include "inventor/gl/vectors.h"
 #include "inventor/hand/operating_session.h"
+#include "inventor/hand/pointed_surface.h"
 
 namespace resect {
 
@@ -29,6 +31,23 @@ void OperatingSession::noteSight(const SbViewportRegion& viewport) {
 void OperatingSession::moveLamp(LampPlace place) {
   room().moveLamp(place);
   damage_.everything = true;
+}
+
+std::optional<SurfacePoint> OperatingSession::pointUnder(const SbVec2s& pixel,
+                                                         const SbViewportRegion& viewport) const {
+  return PointedSurface(room()).under(pixel, viewport);
+}
+
+SbVec2s OperatingSession::pixelOf(const Vec3& point, const SbViewportRegion& viewport) const {
+  const SbViewVolume volume = viewVolumeOf(*room().camera(), viewport);
+  SbVec3f screen;
+  volume.projectToScreen(SbVec3f(float(point.x()), float(point.y()), float(point.z())), screen);
+  const SbVec2s size = viewport.getViewportSizePixels();
+  return {short(screen[0] * size[0]), short(screen[1] * size[1])};
+}
+
+Vec3 OperatingSession::middleOfTool(int tool) const {
+  return tools_.pose(tool) * bounds(toolModels_[std::size_t(tool)].mesh).centre();
 }
 
 }  // namespace resect

@@ -73,12 +73,18 @@ class ToolHandling {
   const std::vector<std::uint8_t>& left() const { return left_; }
   // Working depth of a guided tool below the surface, m.
   double depth(int tool) const { return depths_[std::size_t(tool)]; }
+  // Whether a guided tool cannot work less deep.
+  bool isLeastDeep(int tool) const {
+    const double least = styles_[std::size_t(tool)].leastDepth;
+    return least > 0 && depth(tool) <= least;
+  }
   // Pose of a tool in the world. A scale that a handle box may have set is ignored.
   Pose pose(int tool) const;
 
   // From now on, tools that are taken follow the surface of the organs and stay above the table.
-  // models: one model per tool. They must outlive this object.
-  void guide(std::span<const ToolModel> models);
+  // models: one model per tool. They must outlive this object. spacing: side of the tissue's cells,
+  // m (handStyleOf()).
+  void guide(std::span<const ToolModel> models, double spacing);
   // How a tool is held after take(): Guided if guide() was called, otherwise Direct.
   Hold usual() const { return models_.empty() ? Hold::Direct : Hold::Guided; }
   // The hand that guides the tool over the surface. Null unless the tool in hand is guided and the
@@ -176,6 +182,7 @@ class ToolHandling {
   SbVec3f place_;                   // the manipulator's translation before it was scaled
 
   std::span<const ToolModel> models_;  // one per tool; empty before guide() is called
+  std::vector<HandStyle> styles_;      // for each tool
   std::vector<double> depths_;         // for each tool: its working depth, m
   SurfaceHand hand_;                   // guides the tool in hand if `how_` is Guided
   std::vector<Vec3> targets_;

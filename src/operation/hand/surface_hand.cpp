@@ -40,7 +40,7 @@ void follow(SurfaceHand& hand, const Vec3& way, double turnWay) {
 
 }  // namespace
 
-HandStyle handStyleOf(const ToolModel& tool) {
+HandStyle handStyleOf(const ToolModel& tool, double spacing) {
   HandStyle style;
   if (tool.kind == "inflow_clamp") {
     style = {.upright = 0.6, .forward = -0.8, .hover = 0.012, .depth = 0.004};
@@ -76,6 +76,9 @@ HandStyle handStyleOf(const ToolModel& tool) {
     for (const Vec3& p : tool.edge) reach = std::max(reach, (p - tool.edge.front()).dot(tool.axis));
     constexpr double kOut = 0.004;  // m
     style.mostDepth = std::clamp(style.upright * reach - kOut, style.depth, style.mostDepth);
+    constexpr double kParts = 1.25;  // cells
+    if (tool.kind != "pencil") style.leastDepth = std::min(kParts * spacing, style.mostDepth);
+    style.depth = std::max(style.depth, style.leastDepth);
     style.turnHovering = 0.02;
     style.turnPressing = 0.012;
     style.entersSlowly = style.headsForWay = true;
@@ -156,7 +159,7 @@ Vec3 workPoint(const SurfaceHand& hand) {
 }
 
 void goDeeper(SurfaceHand& hand, double more) {
-  hand.depth = std::clamp(hand.depth + more, 0.0, hand.style.mostDepth);
+  hand.depth = std::clamp(hand.depth + more, hand.style.leastDepth, hand.style.mostDepth);
   if (hand.pressing) hand.way = std::max(hand.way, kStart) + std::max(0.0, more) / kDescent;
 }
 
