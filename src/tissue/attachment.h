@@ -18,7 +18,7 @@ struct TissueAttachment : Region {
   };
   Kind kind = Kind::Pin;
   // For a ligament: the stiffness of all its springs together, N/m. Each spring gets an equal share
-  // of this stiffness, or a smaller stiffness if its equal share would be unstable.
+  // of this stiffness. If a spring with this share would be unstable, it gets a smaller stiffness.
   double stiffness = 200;
 
   template <class Visitor>

@@ -45,8 +45,9 @@ struct TissueMaterial {
   double density = 1060;             // kg/m^3, 1 to 1e5
   double stiffening = 0;             // b, 0 to 20
   std::vector<Relaxation> branches;  // at most kMostBranches
-  // capsule: Young's modulus times thickness of the capsule on the skin of this material, N/m, 0 to
-  // 1e5; 0: there is no capsule. capsuleStrength: tension beyond which the capsule tears, N/m.
+  // capsule: Young's modulus times thickness of the capsule, the membrane on an organ of this
+  // material, N/m, 0 to 1e5; 0: there is no capsule. capsuleStrength: tension beyond which the
+  // capsule tears, N/m.
   double capsule = 0;
   double capsuleStrength = 300;
   // G: energy per area that a tear needs, J/m^2, above 0. If it is infinite, the material never

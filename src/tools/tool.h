@@ -17,7 +17,7 @@ namespace resect {
 struct Jaws {
   Vec3 pivot = Vec3::Zero();  // m
   Vec3 axis = Vec3::UnitX();  // unit
-  double opening = 0;         // angle between the edges when wide open, rad; 0: no jaws
+  double opening = 0;         // angle between the wide open blades, rad; 0: no jaws
 
   template <class Visitor>
   void visit(Visitor& v) {

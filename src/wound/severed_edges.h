@@ -32,7 +32,7 @@ struct FaceTrace {
 
 struct TouchedBrick {
   std::int64_t brick;
-  bool within;  // true: the change is in the brick's own cells; false: only near them
+  bool within;  // true: grid cells of the brick have changed; false: only cells near the brick
 };
 
 class SeveredEdges {
@@ -93,7 +93,8 @@ class SeveredEdges {
 
   // The bricks whose surface has to be computed again, because an edge was severed or a trace was
   // recorded in or near the brick after the last update(). Each brick is listed once, in ascending
-  // order. Bricks for which near() is false are left out. The span is valid until the next call.
+  // order. Bricks for which near() is false are left out. The span is valid until the next call of
+  // update().
   std::span<const TouchedBrick> update();
   // The bricks that the next update() will examine, in any order.
   std::span<const std::int64_t> pending() const { return pending_; }

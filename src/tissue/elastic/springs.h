@@ -18,7 +18,7 @@ namespace resect {
 struct TissueSpring {
   std::int32_t cell = 0;       // index in ElasticState::box
   std::int32_t tool = -1;      // number of the tool that grips the cell; -1: a ligament
-  Vec3 anchor = Vec3::Zero();  // m; tool: in its coordinates; ligament: world
+  Vec3 anchor = Vec3::Zero();  // m; of a grip: in the tool's coordinates; of a ligament: world
   double stiffness = 0;        // N/m
   double damping = 0;          // N s/m
 

@@ -35,8 +35,8 @@ struct WayOut {
 
 // All vectors are in the obstacle's coordinates. place: middle of the patch, m. inwards: the
 // tissue's normal, unit, into the tissue. width: width of the patch, m. If there is contact and the
-// way out is longer than `deepest`, then Dent::depth is `deepest`, and Dent::outwards is `inwards`,
-// not the obstacle's normal.
+// way out is longer than `deepest`, the patch is pressed straight into the tissue: Dent::depth is
+// `deepest`, and Dent::outwards is equal to `inwards`.
 Dent dentIn(const SignedDistance& shape, const Vec3& place, const Vec3& inwards, double width,
             const WayOut& limits);
 

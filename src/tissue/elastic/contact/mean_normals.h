@@ -3,7 +3,8 @@
 // An instrument's tip that is narrower than a cell makes a dent that the lattice of cells does not
 // resolve. The computed normals under the tip are inclined as if the dent were much wider, and
 // their inclination grows as the tip goes deeper. The mean normal over the surrounding cells,
-// weighted by area, does not have this error: it depends on the rim of the dent alone.
+// weighted by area, does not have this error, since the sum of the area vectors of a dent depends
+// on the rim of the dent alone.
 #pragma once
 
 #include <array>
