@@ -11,7 +11,8 @@ namespace resect {
 struct TissueAttachment : Region {
   enum class Kind {
     // A cell that lies wholly in the region does not move. A cell that lies partly in the region is
-    // held by a spring.
+    // pulled to its rest position by a spring, whose stiffness is proportional to the part of the
+    // cell in the region.
     Pin,
     // A cell whose centre lies in the region is pulled to its rest position by a spring.
     Ligament

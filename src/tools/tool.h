@@ -54,8 +54,8 @@ struct ToolModel {
   TriangleMesh mesh;               // closed, oriented outwards
   Vec3 tip = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();  // unit, from tip to handle
-  // Cutting edge, from the tip to its end near the handle. For a tool with jaws: the line in which
-  // the edges of both jaws lie when the jaws are closed. Empty for a blunt tool.
+  // Cutting edge, from the tip to the edge's end near the handle. For a tool with jaws: the line in
+  // which the edges of both jaws lie when the jaws are closed. Empty for a blunt tool.
   std::vector<Vec3> edge;
   Jaws jaws;                     // `mesh` shows them wide open
   std::vector<DrawnPart> drawn;  // for viewers; empty: viewers draw `mesh`

@@ -45,7 +45,7 @@ struct BrickWound {
   // One mask per axis. Bit n stands for the edge whose lower node, or for the face whose lowest
   // node, is node n of the brick.
   std::array<std::uint64_t, 3> edges{};      // edges that are cut
-  std::array<std::uint64_t, 3> faces{};      // faces that have vertices
+  std::array<std::uint64_t, 3> faces{};      // faces with a point at which lines bend
   std::array<std::uint64_t, 3> skinFaces{};  // faces whose vertices have twins
   std::vector<std::int16_t> firstOfFace;     // per face in `faces`: its first vertex
   std::vector<Vertex> vertices;

@@ -12,10 +12,10 @@
 
 namespace resect {
 
-// Number of a vertex of a cell. There are three kinds:
+// Number of a vertex of a cell. There are three kinds of vertices:
 // - one of the cell's 36 edge points: 3 * (number of the cell edge) + EdgeNode;
-// - a vertex at the point where lines of a face bend (FaceLines::point): faceVertex(face, number).
-//   The face is 2 * axis + side; `number` counts the bent lines of that face;
+// - a vertex at a face's point (FaceLines::point), where lines bend: faceVertex(face, number). The
+//   face is 2 * axis + side; `number` counts the bent lines of that face;
 // - one of the cell's own points: from kFirstCellVertex on.
 using CellVertex = std::uint8_t;
 constexpr int kCellNodes = 36;

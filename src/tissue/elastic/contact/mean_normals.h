@@ -17,11 +17,13 @@
 namespace resect {
 
 // Six sums of present area vectors, m^2, one for each of the directions +x, -x, +y, -y, +z and -z.
-// Each part of the surface is added to the sum for the direction that this part faced at rest. So
-// the two sides of a thin sheet, or the two lips of a cut, are not mixed.
+// Each part of the surface contributes to the sums of the directions that it faced at rest, in
+// proportion to the components of its normal at rest. So the two sides of a thin sheet, or the two
+// lips of a cut, are not mixed.
 using AreaBySide = std::array<Vec3f, 6>;
 
-// Mean normal, unit, outwards, at a point whose normal at rest is `normal`.
+// Mean normal, unit, outwards, at a point whose normal at rest is `normal`. around: the sums over
+// the surface round this point.
 Vec3 meanNormal(const AreaBySide& around, const Vec3f& normal);
 
 class MeanNormals {

@@ -62,8 +62,8 @@ class ContactPoints {
 
   std::vector<Owned> told_;  // the patches of setSurface(), ascending by cell
   // Per cell of the box: index in told_ of the cell's first patch. If the cell has no patch:
-  // kInside if the cell was solid before all edits, else kOutside. Empty if setSurface() was not
-  // called.
+  // kInside if the cell was solid before any cell was removed, else kOutside. Empty if setSurface()
+  // was not called.
   static constexpr std::int32_t kInside = -1, kOutside = -2;
   std::vector<std::int32_t> first_;
 };

@@ -112,7 +112,8 @@ class CutFronts {
     double step = 0;  // length of edge that a sample stands for, m
     std::vector<Sample> samples;
   };
-  // Samples farther apart than this, in units of Edge::step, are not joined to one cut.
+  // Neighbouring samples that are farther apart than this, in units of Edge::step, are not joined
+  // to one cut.
   static constexpr double kStretchedSteps = 3;
   // A cell near an edge.
   struct Candidate {
