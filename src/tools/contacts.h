@@ -17,8 +17,8 @@ namespace resect {
 // measured too. This is the volume that tool and organ share at the pose `to`, before the tool
 // acts. The volume is measured with layered depth images of both surfaces. These images have 32
 // pixels along the longer side of the region where the two surfaces may meet. For each pixel, the
-// parts of the line along z that lie inside tool and organ are exact. So only the size of the
-// pixels causes an error: about 5 % for a scalpel's blade.
+// parts of a line along z that lie inside both tool and organ are computed exactly. So only the
+// size of the pixels causes an error: about 5 % for a scalpel's blade.
 ToolContacts findContacts(const Organ& organ, const TissueModel& tissue, const Tool& tool,
                           const Pose& from, const Pose& to);
 

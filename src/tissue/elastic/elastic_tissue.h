@@ -28,7 +28,7 @@
 namespace resect {
 
 // How many times the substep may be halved. Tissue "explodes" when its time integration becomes
-// unstable. Tissue that explodes even with the shortest substep is stopped.
+// unstable. Tissue that still explodes with the shortest substep is stopped.
 inline constexpr int kMostHalvings = 6;
 // How many times the substep may be divided by 1.26 because of stiff cells (StiffCells in
 // kernel/elastic_kernel.h).

@@ -33,7 +33,8 @@ class RestTissue {
   // is a fixed length, however small the cells are. If the reach shrank with the cells, a force on
   // one small cell could crush that cell. If no solid cell is within the reach, or if all that are
   // within it are almost a full reach away, the nearest solid cell stands for the point. If the
-  // centre of that cell is more than two spacings away along any axis, no cell is found.
+  // centre of that cell is more than two spacings (sides of a cell) away along any axis, no cell is
+  // found.
   void findCells(const Vec3& point, PointCells& cells) const;
   Vec3 displacement(const Vec3& point, const PointCells& cells) const;  // m
   Vec3 velocity(const PointCells& cells) const;                         // m/s
