@@ -1,5 +1,6 @@
 // A map over an organ's tissue at rest, for viewers: a grid of texels with two bytes each. There
-// are three kinds of map: of blood on the tissue, of damage by heat, and of structures.
+// are three kinds of map: of blood on the tissue, of damage by heat, and of structures in the
+// organ, such as tumours.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,7 @@ struct TissueMap {
   // low: position of texel (0, 0, 0) in rest space, m. spacing: distance of neighbouring texels, m.
   // Texels are stored with x fastest. The two bytes of a texel are:
   // - In a map of blood: the thickness of liquid blood, and the thickness of clotted blood. Each is
-  //   a weighted mean over the organ's surface at and beside the texel. 255 stands for kDeepest.
+  //   a weighted mean over the organ's surface in and near the texel. 255 stands for kDeepest.
   // - In a map of heat: the share of the tissue that is coagulated, and the degree of burning. This
   //   degree is 0.4 times the share of the tissue's water that has boiled off, plus 0.6 times the
   //   share of the tissue that is charred. 255 stands for 1.
@@ -25,7 +26,8 @@ struct TissueMap {
   Vec3f spacing = Vec3f::Ones();
   Vec3i dims = Vec3i::Zero();
   std::vector<std::uint8_t> texels;  // empty: there is nothing to show
-  Aabb box;                          // for blood and heat: bounds of what is shown, world, m
+  // For blood and heat: a box round the present positions of the affected tissue, world, m.
+  Aabb box;
 };
 
 }  // namespace resect

@@ -11,14 +11,15 @@ namespace resect {
 struct TissueAttachment : Region {
   enum class Kind {
     // A cell that lies wholly in the region does not move. A cell that lies partly in the region is
-    // held by a spring.
+    // pulled to its rest position by a spring, whose stiffness is proportional to the part of the
+    // cell in the region.
     Pin,
     // A cell whose centre lies in the region is pulled to its rest position by a spring.
     Ligament
   };
   Kind kind = Kind::Pin;
   // For a ligament: the stiffness of all its springs together, N/m. Each spring gets an equal share
-  // of this stiffness, or a smaller stiffness if its equal share would be unstable.
+  // of this stiffness. If a spring with this share would be unstable, it gets a smaller stiffness.
   double stiffness = 200;
 
   template <class Visitor>

@@ -1,11 +1,11 @@
-// Breathing: the motion of the diaphragm. It moves the ligaments from which organs hang, and the
-// surface on which organs lie.
+// Breathing: the motion of the diaphragm. The diaphragm moves the ligaments from which organs hang,
+// and the table on which organs lie.
 //
 // A breath leads from the end of an exhalation (phase 0) to the end of the next exhalation (phase
-// 1). The diaphragm's displacement is depth * sin^4(pi * phase), towards the patient's feet (+Z).
-// Most of a breath is thus spent near the end of exhalation, as in patients. The waveform is that
-// of Lujan, Larsen, Balter and Ten Haken, Med. Phys. 26, 715 (1999), doi.org/10.1118/1.598577, with
-// n = 2.
+// 1). The diaphragm's displacement is depth * sin^(2 n)(pi * phase) with n = 2, towards the
+// patient's feet (+Z). Most of a breath is thus spent near the end of exhalation, as in patients.
+// The waveform is that of Lujan, Larsen, Balter and Ten Haken, Med. Phys. 26, 715 (1999),
+// doi.org/10.1118/1.598577.
 #pragma once
 
 #include "base/vec.h"
@@ -43,7 +43,7 @@ struct Breath {
 // The diaphragm's motion in one frame. share: a time in the frame, from 0 (its start) to 1.
 struct BreathMotion {
   double depth = 0;         // m
-  double from = 0, to = 0;  // phases at start and end; `to` may be above 1
+  double from = 0, to = 0;  // phases at the frame's start and end; `to` may be above 1
   double duration = 0;      // of the frame, s; 0: no motion
 
   Vec3 displacement(double share) const;  // m

@@ -10,8 +10,8 @@
 namespace resect {
 
 // The bonds that a cut crosses in rest space. Each bond is listed once; bonds are sorted by cell,
-// then by direction. blade: the cut, in rest space, m. Cost: proportional to the number of cells
-// near the cut, times the number of triangles of `blade`.
+// then by direction. blade: the surface of the cut, in rest space, m. Cost: proportional to the
+// number of cells near the cut, times the number of triangles of `blade`.
 std::vector<TissueBond> crossedBonds(const TissueModel& tissue, const Lattice& lattice,
                                      const SweptBlade& blade);
 

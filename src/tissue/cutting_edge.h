@@ -9,15 +9,16 @@
 
 namespace resect {
 
-// An edge and its motion in one frame. The edge cuts in the direction tangent x normal (cross
-// product). The tangent points from the first point of the edge to the last.
+// An edge, which is a polyline, and its motion in one frame. The edge cuts in the direction tangent
+// x normal (cross product). The edge's tangent points from its first point to its last.
 struct CuttingEdge {
-  std::span<const Vec3> points;  // corners of the edge in its own coordinates, m; at least two
+  std::span<const Vec3> points;  // of the polyline, in the edge's coordinates, m; at least two
   Vec3 normal;                   // normal of the blade's plane, unit, in the same coordinates
   Pose from, to;                 // poses of the edge, world, at the frame's start and end
   double bluntness = 1;          // factor on the energy that a cut takes, 0 or more
-  // Whether the surface of the cut is built with the points in reverse order. Of the two edges of
-  // scissors, one needs this, so that the normals of both cuts are on the same side.
+  // Whether the surface of the cut is built with the points in reverse order. Scissors have two
+  // edges, which both make cuts. For one of the edges `reversed` is true, so that the normals of
+  // all these cuts point to the same side.
   bool reversed = false;
   // False if the edge begins no new cut, for example because the scissors are not closing. Such an
   // edge may continue a cut in elastic tissue. It does not cut tissue that never moves

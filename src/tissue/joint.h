@@ -2,8 +2,9 @@
 // to a cell of another organ.
 //
 // A joint exerts no elastic force as long as the vector between its two cells, in world
-// coordinates, is the same as at rest. So the organs behave as if glued together at points, not as
-// if hinged. In every substep the forces on the two cells are equal and opposite.
+// coordinates, is the same as at rest. So a joint resists sliding of the two organs along each
+// other as well as a gap between them. In every substep the forces on the two cells are equal and
+// opposite.
 #pragma once
 
 #include <array>

@@ -45,8 +45,9 @@ struct TissueMaterial {
   double density = 1060;             // kg/m^3, 1 to 1e5
   double stiffening = 0;             // b, 0 to 20
   std::vector<Relaxation> branches;  // at most kMostBranches
-  // capsule: Young's modulus times thickness of the capsule on the skin of this material, N/m, 0 to
-  // 1e5; 0: there is no capsule. capsuleStrength: tension beyond which the capsule tears, N/m.
+  // capsule: Young's modulus times thickness of the capsule, the membrane on an organ of this
+  // material, N/m, 0 to 1e5; 0: there is no capsule. capsuleStrength: tension beyond which the
+  // capsule tears, N/m.
   double capsule = 0;
   double capsuleStrength = 300;
   // G: energy per area that a tear needs, J/m^2, above 0. If it is infinite, the material never
@@ -82,8 +83,8 @@ inline constexpr double kTearLength = 0.01;
 // Psi(F), J/m^3, without the Maxwell branches. The growth b x of the shear modulus is limited to
 // kMostStiffening (tissue/elastic/kernel/elastic_kernel.h).
 double heldEnergy(const TissueMaterial& material, const Mat3& f);
-// The tear energy, J/m^2, for which this material tears at a given stretch if it is pulled slowly
-// and has no crack. stretch: length divided by length at rest, 1 to 100.
+// The tear energy, J/m^2, with which this material would tear at a given stretch if it were pulled
+// slowly and had no crack. stretch: length divided by length at rest, 1 to 100.
 double energyOfStretch(const TissueMaterial& material, double stretch);
 
 // The materials of docs/methods/tissue.md, all with nu = 0.45. That page specifies liver by its

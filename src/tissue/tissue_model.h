@@ -30,11 +30,11 @@ struct TissueBond {
 // Result of a frame for one tissue, and the edits that follow from it.
 struct TissueStep {
   std::int32_t substeps = 0;
-  std::int32_t retries = 0;         // number of repetitions of the frame with shorter substeps
-  bool calm = true;                 // false: exploded even with the shortest substep; was stopped
+  std::int32_t retries = 0;  // number of repetitions of the frame with shorter substeps
+  bool calm = true;  // false: the tissue still exploded with the shortest substep, and was stopped
   std::vector<Vec3> force;          // per obstacle: mean force on it over the frame, N
-  std::vector<TissueBond> torn;     // bonds that tear: to be severed
-  std::vector<std::int32_t> letGo;  // tools whose grip slipped: to be released
+  std::vector<TissueBond> torn;     // bonds that have torn; the caller severs them
+  std::vector<std::int32_t> letGo;  // tools whose grip slipped; the caller releases them
   std::vector<TissueCut> cuts;      // cuts that edges made, in the order of the obstacles
 
   void forget() {  // resets to a frame without motion; keeps the memory
@@ -72,14 +72,15 @@ class TissueModel {
   virtual void setSurface(std::span<const SurfacePatch>) {}
 
   // Replaces all cords, the springs that stand for the walls of vessels. The model may make some
-  // cords less stiff, so that they are stable. It ignores cords whose cells hold no tissue. Cords
+  // cords less stiff, so that they are stable. Cords whose cells hold no tissue are ignored. Cords
   // are not part of the state: after a state was restored, they must be set again. A model may
   // ignore all cords.
   virtual void setCords(std::span<const TissueCord>) {}
 
   // Gives the motion of the tissue's attachments, such as its ligaments, in the next frame.
-  // Displacements are relative to the attachments' places at rest. Call before beginFrame(), in
-  // every frame in which the attachments move or are displaced. A model may ignore the call.
+  // `BreathMotion` gives displacements from the attachments' positions at rest. Call before
+  // beginFrame(), in every frame in which the attachments move or are displaced. A model may ignore
+  // the call.
   virtual void moveHolds(const BreathMotion&) {}
 
   // A frame lasts `duration` s, > 0. It consists of one call of beginFrame(), one call of substep()
@@ -93,8 +94,8 @@ class TissueModel {
   // Computes substep `number`, from 1 to `count`. Returns false if the tissue has exploded.
   virtual bool substep(int number, int count) = 0;
   // Restores the tissue to the frame's beginning. exploded: whether this tissue has exploded; if
-  // so, it takes shorter substeps from now on. Returns false if shorter substeps are not allowed.
-  // In that case the tissue is stopped and takes no further part in the frame.
+  // so, this tissue takes shorter substeps from now on. Returns false if shorter substeps are not
+  // allowed. In that case the tissue is stopped and takes no further part in the frame.
   virtual bool startAgain(bool exploded) = 0;
   // Writes the frame's result to `step`, whose memory is reused.
   virtual void endFrame(TissueStep& step) = 0;
@@ -142,7 +143,7 @@ class TissueModel {
   virtual void visit(StateVisitor& visitor) = 0;
   virtual void visitMade(StateVisitor& visitor) = 0;
   virtual void beginRestore() = 0;
-  // alive: one flag per cell of the lattice, 1 where the organ has a particle now.
+  // alive: one flag per cell of the lattice, 1 for each cell that holds tissue of the organ now.
   virtual void endRestore(std::span<const std::uint8_t> alive) = 0;
 };
 

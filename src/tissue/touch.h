@@ -11,11 +11,12 @@
 
 namespace resect {
 
-// A patch of the tissue's surface that an instrument presses.
+// A patch of the tissue's surface that an instrument presses. The pressure is modelled by a damped
+// spring, the patch's spring (docs/methods/tissue.md, "Contact, grips, attachments").
 struct PressedPoint {
   Vec3 place;                      // middle of the patch, world, m
   Vec3 outwards;                   // normal of the instrument's surface there, unit
-  double area;                     // part of the patch that the instrument covers, m^2, at rest
+  double area;                     // area at rest that the instrument covers, m^2
   double force;                    // force on the tissue along `outwards`, N, > 0
   double stiffness;                // stiffness of the patch's spring at this depth, N/m
   double damping;                  // damping of the patch's spring, N s/m

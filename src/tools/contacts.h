@@ -16,8 +16,9 @@ namespace resect {
 // of the result. If the tool touches particles of tissue that never moves, the overlap volume is
 // measured too. This is the volume that tool and organ share at the pose `to`, before the tool
 // acts. The volume is measured with layered depth images of both surfaces. These images have 32
-// pixels along the longer side of the region where the two surfaces may meet. The intervals along z
-// are exact, so only the size of the pixels causes an error: about 5 % for a scalpel's blade.
+// pixels along the longer side of the region where the two surfaces may meet. For each pixel, the
+// parts of a line along z that lie inside both tool and organ are computed exactly. So only the
+// size of the pixels causes an error: about 5 % for a scalpel's blade.
 ToolContacts findContacts(const Organ& organ, const TissueModel& tissue, const Tool& tool,
                           const Pose& from, const Pose& to);
 

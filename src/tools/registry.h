@@ -28,8 +28,8 @@ std::span<const ToolKind> toolKinds();
 
 // Makes a tool. If model.response is "remove", the tool's only working part is a Remover. Otherwise
 // its working parts are the parts that model.parts names. If model.parts is empty, the tool gets
-// the parts of model.kind. Throws Error if the name of a kind or part is unknown; the message lists
-// the known names. Also throws Error if the model's mesh or numbers are wrong.
+// the parts of its kind, model.kind. Throws Error if the name of a kind or part is unknown; the
+// message lists the known names. Also throws Error if the model's mesh or numbers are wrong.
 std::unique_ptr<Tool> makeTool(ToolModel model);
 
 }  // namespace resect

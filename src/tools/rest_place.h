@@ -11,7 +11,7 @@ namespace resect {
 
 // The rest position, m, of the point of the tissue that is now at `world`. It is computed from the
 // displacement and gradient of the nearest particle (cell of tissue). Returns none if no particle
-// is within two cells.
+// is within two spacings (sides of a cell) of `world` along each axis.
 std::optional<Vec3> restPlace(const Organ& organ, const TissueModel& tissue, const Vec3& world);
 
 // The present position in the world, m, of the point with the rest position `rest`. It is computed

@@ -17,7 +17,7 @@ namespace resect {
 struct Jaws {
   Vec3 pivot = Vec3::Zero();  // m
   Vec3 axis = Vec3::UnitX();  // unit
-  double opening = 0;         // angle between the edges when wide open, rad; 0: no jaws
+  double opening = 0;         // angle between the wide open blades, rad; 0: no jaws
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -54,8 +54,8 @@ struct ToolModel {
   TriangleMesh mesh;               // closed, oriented outwards
   Vec3 tip = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();  // unit, from tip to handle
-  // Cutting edge, from the tip to its end near the handle. For a tool with jaws: the line in which
-  // the edges of both jaws lie when the jaws are closed. Empty for a blunt tool.
+  // Cutting edge, from the tip to the edge's end near the handle. For a tool with jaws: the line in
+  // which the edges of both jaws lie when the jaws are closed. Empty for a blunt tool.
   std::vector<Vec3> edge;
   Jaws jaws;                     // `mesh` shows them wide open
   std::vector<DrawnPart> drawn;  // for viewers; empty: viewers draw `mesh`

@@ -1,7 +1,7 @@
-// Interface of working parts. A working part is the part of an instrument that acts on tissue. It
-// finds tissue and requests edits of this tissue, or it has edges that cut. A working part does not
-// change tissue itself, and need not know whether the tissue moves. The working parts that come
-// with Resect are in tools/parts/.
+// Interface of working parts. A working part is the part of an instrument that acts on tissue. A
+// working part finds tissue and requests edits (changes) of this tissue, or it has edges that cut.
+// A working part does not change tissue itself, and need not know whether the tissue moves. The
+// working parts that come with Resect are in tools/parts/.
 #pragma once
 
 #include <cstdint>
@@ -62,7 +62,7 @@ struct Touch {
   const ToolContacts& contacts;
   double force = 0;  // smoothed force of the tissue on the tool (ToolState::feltForce), N
 
-  // Makes an edit by this tool, for this organ.
+  // Makes an edit of this organ by this tool.
   TissueEdit edit(decltype(TissueEdit::what) what) const {
     return {organNumber, tool, std::move(what)};
   }

@@ -1,6 +1,6 @@
 // Severs the grid edges that a blade crosses, and records the blade's traces: the lines in which
-// the blade crosses the faces of the grid. The grid is that of the colour field. Both blade and
-// grid are in rest space.
+// the blade crosses the faces of the grid. The grid is that of the colour field, the scalar field
+// whose isosurface is the organ's surface. Both blade and grid are in rest space.
 //
 // The sweep of the blade is the surface over which the blade's edge has moved, as triangles. The
 // grid edges are tested against these triangles. The test is exact, and the same as for bonds

@@ -1,6 +1,7 @@
-// Dense arrays for a box of grid nodes: the field values of the nodes and the severed edges between
-// them. The code that meshes wounds reads these arrays. BrickWindow is for a brick, which is a
-// block of 4 x 4 x 4 nodes, and the nodes around the brick. BoxWindow is for a box of any size.
+// Dense arrays for a box of grid nodes: the values of the colour field at the nodes, and the
+// severed edges between them. The code that meshes wounds reads these arrays. BrickWindow is for a
+// brick, which is a block of 4 x 4 x 4 nodes, and the nodes around the brick. BoxWindow is for a
+// box of any size.
 #pragma once
 
 #include "base/index_box.h"

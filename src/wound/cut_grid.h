@@ -1,6 +1,6 @@
 // Field values and severed edges in a window, for the code that meshes wounds. A window is a box of
-// nodes of the colour field's grid. It is a brick (a block of 4 x 4 x 4 nodes) with a halo of two
-// nodes, or any other box; in tests it is the whole grid.
+// nodes of the colour field's grid: a brick (a block of 4 x 4 x 4 nodes) with a halo of two nodes,
+// or any other box. In tests the window is the whole grid.
 //
 // A CutGrid points to arrays that another object holds. Nodes outside the window count as outside
 // the tissue, and edges to them count as whole. Nodes are given by their index in the window.

@@ -32,7 +32,7 @@ struct FaceTrace {
 
 struct TouchedBrick {
   std::int64_t brick;
-  bool within;  // true: the change is in the brick's own cells; false: only near them
+  bool within;  // true: grid cells of the brick have changed; false: only cells near the brick
 };
 
 class SeveredEdges {
@@ -56,10 +56,9 @@ class SeveredEdges {
   // nothing is severed. at(): the cut's position as a fraction of the edge's length, 0 to 1; kWhole
   // for an edge that is not severed.
   float at(const Vec3i& node, int axis) const;
-  // Whether a cut lies between two lattice cells on the grid line through the given edge. Between
-  // the mid-planes of two neighbouring cells (the planes through their centres), a grid line has a
-  // stretch of `refine` edges. Returns true if any edge of the stretch that contains the given edge
-  // is severed. The node's coordinate along the axis must not be negative.
+  // Between the mid-planes of two neighbouring lattice cells (the planes through their centres), a
+  // grid line has a stretch of `refine` edges. Returns whether any edge is severed in the stretch
+  // that contains the given edge. The node's coordinate along the axis must not be negative.
   bool betweenCells(const Vec3i& node, int axis) const;
   // Normal of the cut in a severed edge; unit, and not negative along `axis`.
   Vec3f normal(const Vec3i& node, int axis) const;
@@ -93,7 +92,8 @@ class SeveredEdges {
 
   // The bricks whose surface has to be computed again, because an edge was severed or a trace was
   // recorded in or near the brick after the last update(). Each brick is listed once, in ascending
-  // order. Bricks for which near() is false are left out. The span is valid until the next call.
+  // order. Bricks for which near() is false are left out. The span is valid until the next call of
+  // update().
   std::span<const TouchedBrick> update();
   // The bricks that the next update() will examine, in any order.
   std::span<const std::int64_t> pending() const { return pending_; }

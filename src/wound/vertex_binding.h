@@ -6,8 +6,9 @@
 // own side of the cut. The anchors of a vertex are grid nodes in the same piece of tissue as the
 // vertex. To find the particles, a search starts at the anchors. The search stays in the lattice
 // cube, and goes along grid edges that lie in tissue and are whole (not severed). If the search
-// reaches no particle, it is extended beyond the cube. A vertex at the front of a cut has anchors
-// on both sides of the cut, so it follows particles on both sides.
+// reaches no particle, it is extended beyond the cube. A vertex at the front of a cut, the line
+// where the cut ends in tissue, has anchors on both sides of the cut. So it follows particles on
+// both sides.
 #pragma once
 
 #include <span>

@@ -3,11 +3,11 @@
 // A brick's vertices begin with its iso vertices, which lie where edges cross the iso level
 // (isosurface/brick_mesher.h). The vertices that cuts add come next: two vertices for each cut
 // edge, then the vertices in faces, then the vertices in cells. Edges and faces are ordered by
-// axis, then by node. Cells are ordered by node. So neighbouring bricks find the numbers of these
-// vertices by counting bits in masks. Where a lip (one of the two sides of a cut) meets the organ's
-// surface, a vertex has a twin at the same position. For shading, the twin has the lip's normal and
-// cut share (isosurface/brick_look.h), so that the rim of the wound looks sharp. Cost: 2 us per cut
-// cell, and about 10 us per brick.
+// axis, then by node. Cells are ordered by node. Because of this order, neighbouring bricks find
+// the numbers of these vertices by counting bits in masks. Where a lip (one of the two sides of a
+// cut) meets the organ's surface, a vertex has a twin at the same position. For shading, the twin
+// has the lip's normal and cut share (isosurface/brick_look.h), so that the rim of the wound looks
+// sharp. Cost: 2 us per cut cell, and about 10 us per brick.
 #pragma once
 
 #include <bit>
@@ -45,7 +45,7 @@ struct BrickWound {
   // One mask per axis. Bit n stands for the edge whose lower node, or for the face whose lowest
   // node, is node n of the brick.
   std::array<std::uint64_t, 3> edges{};      // edges that are cut
-  std::array<std::uint64_t, 3> faces{};      // faces that have vertices
+  std::array<std::uint64_t, 3> faces{};      // faces with a point at which lines bend
   std::array<std::uint64_t, 3> skinFaces{};  // faces whose vertices have twins
   std::vector<std::int16_t> firstOfFace;     // per face in `faces`: its first vertex
   std::vector<Vertex> vertices;

@@ -6,10 +6,11 @@
 //
 // An edge may leave the tissue and also be severed inside the tissue. Then the edge gives three
 // points. The piece of the edge between the cut and the surface has no grid node of its own. It is
-// assigned to an inside node that can be reached from the edge's outside end over whole (not
-// severed) edges that pass only through outside nodes. If there are several such nodes, the node
-// nearest to that end is chosen. If such pieces were left out, the two sides of a cut would have
-// notches of up to one cell. In three cases such an edge gives only the point at the iso level:
+// assigned to an inside node near the edge. A path of whole (not severed) edges must lead from the
+// edge's outside end to this node, and all other nodes of the path must be outside. If there are
+// several such inside nodes, the node nearest to the edge's outside end is chosen. If pieces
+// between cut and surface were left out, the two sides of a cut would have notches of up to one
+// cell. In three cases such an edge gives only the point at the iso level:
 // - The piece is at most 0.04 of the edge long.
 // - No such inside node is found.
 // - A face beside the edge is ambiguous: its corners are alternately inside and outside.
@@ -33,7 +34,7 @@ enum EdgeNode : std::uint8_t { kLower = 0, kUpper = 1, kIsoNode = 2 };
 struct CutEdge {
   EdgeKind kind = EdgeKind::None;
   bool lowerInside = false;
-  bool open = false;   // severed outside tissue, or at most 0.04 edge lengths below its surface
+  bool open = false;   // severed outside tissue, or at most 0.04 edge lengths inside it
   float cut = kWhole;  // where it is severed, as a fraction from its lower end; or kWhole
   float iso = 0;       // for Iso and Split: where kIsoNode is, as a fraction from its lower end
   int owner = -1;      // for Iso and Split: the node of the CutGrid to which kIsoNode belongs

@@ -34,7 +34,7 @@ struct FaceLine {
   // is 3 * (number of its ring edge, see RingEdge) + EdgeNode. Seen by a viewer towards whom the
   // face's axis points, tissue lies to the left of the line.
   std::uint8_t end = 0, start = 0;
-  bool bent = false;      // whether the line has a vertex at the face's point
+  bool bent = false;      // whether the line has a vertex at FaceLines::point
   NearbyNodes anchors{};  // of the line's vertex (wound/vertex_binding.h), around the face's node
 };
 
@@ -70,9 +70,9 @@ inline RingEdge ringEdge(int axis, int i) {
 // cut. In two cases the surface does not continue, but ends at the cut:
 // - An edge of the face is severed outside the tissue or just inside its surface (CutEdge::open).
 //   Then the blade crosses the line in which the surface meets the face.
-// - The nodes that own the two ends of this line (CutEdge::owner) are not connected by whole grid
-//   edges in tissue within a small box. This box is the two cells beside the face, enlarged by one
-//   node on every side.
+// - The two ends of the line in which the surface meets the face belong to two nodes
+//   (CutEdge::owner). Within a small box, whole grid edges in tissue do not connect these nodes.
+//   The box consists of the two cells beside the face, enlarged by one node on every side.
 bool skinHolds(const CutGrid& grid, int i, int axis);
 
 // The lines of the face at node i. holds() must return the result of skinHolds(). holds() is called

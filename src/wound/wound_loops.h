@@ -12,10 +12,10 @@
 
 namespace resect {
 
-// Number of a vertex of a cell. There are three kinds:
+// Number of a vertex of a cell. There are three kinds of vertices:
 // - one of the cell's 36 edge points: 3 * (number of the cell edge) + EdgeNode;
-// - a vertex at a face's point: faceVertex(face, number). The face is 2 * axis + side; `number`
-//   counts the bent lines of that face;
+// - a vertex at a face's point (FaceLines::point), where lines bend: faceVertex(face, number). The
+//   face is 2 * axis + side; `number` counts the bent lines of that face;
 // - one of the cell's own points: from kFirstCellVertex on.
 using CellVertex = std::uint8_t;
 constexpr int kCellNodes = 36;
@@ -34,7 +34,7 @@ struct CellLoops {
   struct Vertex {
     CellVertex vertex;
     bool iso;             // whether it is an edge point at the iso level
-    NearbyNodes anchors;  // of the corner and of the line that begins at it
+    NearbyNodes anchors;  // anchors of the corner and of the line that begins at the corner
   };
 
   // Finds the loops of the cell with lowest node i. faces: the lines of the cell's faces; a face
@@ -49,9 +49,9 @@ struct CellLoops {
   std::vector<Vertex> loop;           // all loops that a cut changed, concatenated
   std::vector<std::size_t> loopEnds;  // per loop: index in `loop` after its last corner
   // A skin loop is a loop that the cell would have without cuts, on the organ's surface.
-  std::array<int, 12> skinOf;   // per cell edge: its skin loop; -1: no iso point
-  int skins;                    // upper bound of the numbers in skinOf, some of which may be unused
-  std::array<bool, 4> touched;  // per skin loop: whether a cut changed it
+  std::array<int, 12> skinOf;    // per cell edge: its skin loop; -1: no iso point
+  int skins;                     // the numbers in skinOf are below this; some may be unused
+  std::array<bool, 4> touched;   // per skin loop: whether a cut changed it
   std::vector<CellVertex> rest;  // work space for capping
 
   // Position of an edge point, or of a vertex at a face's point, relative to `corner`.

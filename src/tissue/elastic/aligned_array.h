@@ -21,7 +21,7 @@ inline constexpr std::size_t kCacheLine = 64, kPage = 4096;
 // The offset within a page of the next large array, bytes.
 inline std::size_t nextShift() {
   static std::atomic<std::size_t> next = 0;
-  constexpr std::size_t kStep = 5 * kCacheLine;  // gives every cache line of a page in turn
+  constexpr std::size_t kStep = 5 * kCacheLine;  // 64 steps reach every cache line of a page
   return next.fetch_add(kStep, std::memory_order_relaxed) % kPage;
 }
 

@@ -1,5 +1,5 @@
-// The organ's capsule: a thin membrane on its surface (the skin), much stiffer than the tissue
-// below.
+// The organ's capsule: a thin membrane on the organ's surface, much stiffer than the tissue below.
+// "Skin" means the organ's surface as it was before any cuts.
 //
 // The cells at the skin have the membrane's energy in addition to their own. This energy depends on
 // the principal stretches lambda_1 and lambda_2 in the plane of the skin. These stretches follow
@@ -24,7 +24,7 @@ namespace resect {
 // Sets the normal and the area of each cell's skin from the cell's patches, which are small pieces
 // of the skin. The tensors area * n n^T of these patches are added, where n is a patch's normal.
 // The skin's area is the largest eigenvalue of the sum; the skin's normal is the eigenvector of
-// this eigenvalue. So in thin tissue the skin on both sides counts, although the normals are
+// this eigenvalue. So in thin tissue the patches on both sides count, although their normals are
 // opposite. patches: ascending by cell. A cell that is bonded to all its 26 neighbours gets no
 // skin. Does nothing if no material has a capsule.
 void setSkin(ElasticState& state, std::span<const SurfacePatch> patches);

@@ -2,9 +2,10 @@
 // empty cells. The 26 neighbours of a cell have fixed index offsets from the cell. Rows can be read
 // sixteen cells at a time.
 //
-// x is fastest. Each row (along x) ends with at least one empty cell. Each plane (along x and y)
-// ends with an empty row. The box has an empty plane at each end. So if a neighbour of a cell lies
-// outside the lattice, it is an empty cell of the box.
+// x is fastest. Each row (along x) ends with at least one empty cell. This cell also lies before
+// the first cell of the next row. Each plane (along x and y) ends with an empty row, which also
+// lies before the first row of the next plane. The box has an empty plane at each end. So if a
+// neighbour of a cell lies outside the lattice, it is an empty cell of the box.
 #pragma once
 
 #include <array>

@@ -3,11 +3,12 @@
 //
 // Memory per cell of the box: 4 * (3 * 4 + 9 + 6 + 3 * 3 + 6) + 5 = 173 bytes. If a material has n
 // Maxwell branches, 4 * (7 + 8 n) bytes are added. With a capsule, 20 bytes are added, or 48 if
-// there are no branches. Lengths are in m, masses in kg; but offsets to neighbours are in spacings.
-// The symbols A_i, q_i and M_i are those of docs/methods/tissue.md. L_i is the inverse of M_i. S_i
-// is the sum over the bonded neighbours j of w_ij X_ij, where X_ij is the offset at rest. The
-// symbol w without indices is the weight of an edge neighbour, a neighbour that shares an edge with
-// the cell (bondWeights()). beta is TissueSettings::damping. The loops over the cells
+// there are no branches. Lengths are in m, masses in kg; but offsets to neighbours are in spacings
+// (sides of a cell). V is the volume of a cell; lambda and mu are Lame's constants. The symbols
+// A_i, q_i and M_i are those of docs/methods/tissue.md. L_i is the inverse of M_i. S_i is the sum
+// over the bonded neighbours j of w_ij X_ij, where X_ij is the offset at rest. The symbol w without
+// indices is the weight of an edge neighbour, a neighbour that shares an edge with the cell
+// (bondWeights()). beta is TissueSettings::damping. The loops over the cells
 // (kernel/elastic_kernel.h) form sums in which weights are in units of w and offsets in spacings.
 // The arrays contain the missing factors w and 1 / spacing.
 #pragma once
@@ -61,15 +62,15 @@ struct ElasticState {
   std::array<FloatArray, 3> planeWeight;
   std::array<FloatArray, 3> load;  // external force on the cell, N
   // relaxed[k]: the symmetric matrix B of Maxwell branch k, as xx yy zz xy xz yz. The stress of the
-  // branch is mu share (F (I + B) - cof F). viscous: sum over the branches of modulus times V times
-  // B, J. In this sum, B is a mean over the substeps until the branches are advanced again.
-  // `relaxed` is empty if no material has Maxwell branches. `viscous` is empty if no material has
-  // Maxwell branches or a capsule.
+  // branch is mu share (F (I + B) - cof F), where mu share is the modulus of the branch. viscous:
+  // sum over the branches of modulus times V times B, J. In this sum, B is a mean over the substeps
+  // until the branches are advanced again. `relaxed` is empty if no material has Maxwell branches.
+  // `viscous` is empty if no material has Maxwell branches or a capsule.
   std::array<std::array<FloatArray, 6>, kMostBranches> relaxed;
   std::array<FloatArray, 6> viscous;
   FloatArray inverseMass;  // 1/kg; 0 where there is no tissue
-  // V is the volume of a cell. shearVolume: mu V, J. lameVolume: V (lambda + mu + M / 3), J, where
-  // M is the sum of the branches' moduli.
+  // shearVolume: mu V, J. lameVolume: V (lambda + mu + M / 3), J, where M is the sum of the
+  // branches' moduli.
   FloatArray shearVolume, lameVolume;
   FloatArray stiffening;                               // b of tissue/material.h
   FloatArray viscousVolume;                            // M V, J; empty if `viscous` is empty

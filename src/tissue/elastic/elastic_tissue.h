@@ -28,9 +28,10 @@
 namespace resect {
 
 // How many times the substep may be halved. Tissue "explodes" when its time integration becomes
-// unstable. Tissue that explodes even with the shortest substep is stopped.
+// unstable. Tissue that still explodes with the shortest substep is stopped.
 inline constexpr int kMostHalvings = 6;
-// How many times the substep may be divided by 1.26 for stiff cells.
+// How many times the substep may be divided by 1.26 because of stiff cells (StiffCells in
+// kernel/elastic_kernel.h).
 inline constexpr int kMostFineness = 3;
 
 struct TissueSettings {
@@ -213,7 +214,7 @@ class ElasticTissue final : public TissueModel {
   std::vector<std::int32_t> bondsChanged_, holdsChanged_;  // cells that settle() will update
   TissueContacts contacts_;
   Frame frame_;
-  std::optional<BreathMotion> holdsMove_;  // of attachments in this frame; none: no motion
+  std::optional<BreathMotion> holdsMove_;  // motion of attachments in this frame, if they move
   Before before_;
   FloatArray kept_;  // u, v and the branches of all chunks at the beginning of the frame
 };

@@ -32,7 +32,8 @@ inline constexpr float kFibreShare[4] = {0, 0.5f, 0.25f, 0.15f};
 
 // The fibres of all bonds between two cells without a gradient, in ascending order of a, then b. A
 // bond that has a fibre in `before` keeps that fibre. Any other bond gets a fibre that exerts no
-// force at the bond's present length. So a cut through stretched tissue adds no energy.
+// force at the bond's present length. So if a cut makes stretched tissue so thin that its bonds get
+// fibres, these fibres add no energy.
 std::vector<Fibre> findFibres(const ElasticState& state, std::span<const Fibre> before);
 
 // Adds the fibres' forces to ElasticState::bondForce. Call after the stress pass.

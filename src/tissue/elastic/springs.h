@@ -1,10 +1,11 @@
-// Springs on single cells, for ligaments and for the grips of tools.
+// Springs on single cells, for attachments of an organ (tissue/attachment.h) and for the grips of
+// tools.
 //
 // Each spring is damped and leads from a cell to an anchor. For a grip, the anchor is fixed in the
-// tool's coordinates. For a ligament, the anchor is fixed in the world, or moves with the patient's
-// breathing. While a cell has springs, its load (ElasticState::load) is computed anew in each
-// substep. The load is the sum of the forces of these springs and of the cell's joints, which are
-// springs to other organs.
+// tool's coordinates. For an attachment, the anchor is fixed in the world, or moves with the
+// patient's breathing. While a cell has springs, its load (ElasticState::load) is computed anew in
+// each substep. The load is the sum of the forces of these springs and of the cell's joints, which
+// are springs to other organs.
 #pragma once
 
 #include <span>
@@ -17,8 +18,8 @@ namespace resect {
 
 struct TissueSpring {
   std::int32_t cell = 0;       // index in ElasticState::box
-  std::int32_t tool = -1;      // number of the tool that grips the cell; -1: a ligament
-  Vec3 anchor = Vec3::Zero();  // m; tool: in its coordinates; ligament: world
+  std::int32_t tool = -1;      // number of the tool that grips the cell; -1: an attachment
+  Vec3 anchor = Vec3::Zero();  // m; of a grip: in the tool's coordinates; otherwise: world
   double stiffness = 0;        // N/m
   double damping = 0;          // N s/m
 
@@ -45,9 +46,10 @@ class TissueSprings {
   std::span<const TissueSpring> all() const { return springs_; }
 
   // Adds the springs' forces to the loads of their cells, for one substep. held: motion of the
-  // anchors of ligaments. dt: duration of the substep, s. share: time at which the substep ends, as
-  // a fraction of the frame, 0 to 1. frame: duration of the frame, s. origin: rest position of the
-  // centre of cell (0, 0, 0), m. If a tool is not among the obstacles, its springs exert no force.
+  // anchors of attachments. dt: duration of the substep, s. share: time at which the substep ends,
+  // as a fraction of the frame, 0 to 1. frame: duration of the frame, s. origin: rest position of
+  // the centre of cell (0, 0, 0), m. If a tool is not among the obstacles, its springs exert no
+  // force.
   void pull(ElasticState& state, const Vec3& origin, std::span<const Obstacle> obstacles,
             const BreathMotion& held, double share, double frame, double dt);
   // Per obstacle: the momentum that the springs have given to the obstacle since the last

@@ -21,9 +21,9 @@ inline constexpr double kGripReach = 0.02;
 // volume of the cell at the cut is high enough. This energy must be at least this share of the
 // energy per volume at which a crack advances in the weakest material.
 inline constexpr double kScreen = 0.3;
-// Two cells, or two bonds, count as equally loaded if the lower energy is at least this share of
-// the higher. So all bonds along the front of a crack tear in the same frame, even if rounding
-// makes their energies differ.
+// Two cells, or two bonds, count as equally loaded if the lower of their energies per volume is at
+// least this share of the higher. So all bonds along the front of a crack tear in the same frame,
+// even if rounding makes their energies differ.
 inline constexpr double kAlike = 0.9;
 
 // Direction in rest space in which the deformation gradient F stretches most, unit.

@@ -9,7 +9,7 @@ namespace resect {
 
 // Current flows if ToolStance::squeeze is at least this value.
 inline constexpr double kBipolarCloses = 0.9;
-// If a vessel bleeds at a distance from the tips of at most this, m, its bleeding end is heated.
+// A length, m. If a vessel bleeds at most this far from the tips, its bleeding end is heated.
 // Otherwise the tissue at the tips is heated.
 inline constexpr double kBipolarTakes = 0.006;
 

@@ -15,8 +15,8 @@
 // If the centre of a cell nevertheless lies too deep inside an obstacle, the centre is moved out.
 // No centre may lie inside the table or the tool box. A centre may lie at most one spacing (side of
 // a cell) deep inside an instrument. Instruments with blades, jaws or hooks are different, since
-// they must be able to enter tissue (Obstacle::enters). Such instruments press no points, but cell
-// centres are kept a tenth of a spacing away from the instruments.
+// they must be able to enter tissue (Obstacle::enters). Such an instrument presses no points, but
+// cell centres are kept a tenth of a spacing away from it.
 #pragma once
 
 #include <vector>
@@ -59,12 +59,12 @@ class TissueContacts {
   // Discards the obstacles of the last list().
   void forgetObstacles() { bodyCount_ = 0; }
 
-  // Appends the points at which the tool presses the tissue when the tool has its pose at the end
-  // of the frame. The points are in the order of the cells. Takes as long as one substep takes for
-  // the points of this tool.
+  // Appends the points at which the tool, in its pose at the end of the frame, presses the tissue.
+  // The points are in the order of the cells. Takes as long as one substep takes for the points of
+  // this tool.
   void pressedBy(const ElasticState& state, std::int32_t tool,
                  std::vector<PressedPoint>& points) const;
-  // The obstacle of that tool in the last list(); null if there is none.
+  // The obstacle that stands for the tool in the last list(); null if there is none.
   const Obstacle* obstacleOf(std::int32_t tool) const;
 
   template <class Visitor>
@@ -76,7 +76,7 @@ class TissueContacts {
   // A cell that an obstacle may push.
   struct Cell {
     std::int32_t cell;
-    bool near;  // true: the cell's centre may come near; false: only its points may
+    bool near;  // true: the centre may come near the obstacle; false: only points of the cell may
     Vec3 rest;  // rest position, m
   };
   // A point that an obstacle may press. Its position is `base` plus the mean displacement of the
@@ -96,14 +96,14 @@ class TissueContacts {
   struct Body {
     Obstacle obstacle;
     Vec3 velocity, spin;                   // of the obstacle, world, m/s and rad/s
-    std::vector<std::int32_t> candidates;  // cells whose points or centres may come near
+    std::vector<std::int32_t> candidates;  // cells with points or centres that may come near it
     std::vector<Cell> cells;
     std::vector<Point> points;
     std::vector<Share> shares;
     Pose back;   // from the world to the obstacle's coordinates at the frame's end
-    Aabb box;    // where the obstacle can touch cells, in the coordinates of `back`
+    Aabb box;    // where the obstacle can touch cells, in its coordinates at the frame's end
     Aabb world;  // bounds of `box` in the world
-    Vec3 up[2];  // outward normal of a half space at the start and at the end of the frame
+    Vec3 up[2];  // if a half space: its outward normal at the start and at the end of the frame
   };
   // An obstacle's pose at the end of a substep, and its rotation as a matrix.
   struct Stance {

@@ -3,9 +3,9 @@
 // Let P be the middle of the patch. If P is inside the obstacle, the line from P along the tissue's
 // inward normal leaves the obstacle at a point Q. The vector from P to Q is called the way out. The
 // depth is the component of the way out along the normal of the obstacle's surface at Q. The
-// distance to the nearest face of the obstacle would be wrong: beside the edge of an instrument,
-// the nearest face is the instrument's flank. Tissue would be pushed sideways there, and the
-// instrument would slip into the tissue.
+// distance from P to the nearest face of the obstacle would be a wrong depth: for a patch near the
+// edge of an instrument, the nearest face is the instrument's flank. The patch would be pushed
+// sideways, and the instrument would slip into the tissue.
 #pragma once
 
 #include "collision/signed_distance.h"
@@ -35,8 +35,8 @@ struct WayOut {
 
 // All vectors are in the obstacle's coordinates. place: middle of the patch, m. inwards: the
 // tissue's normal, unit, into the tissue. width: width of the patch, m. If there is contact and the
-// way out is longer than `deepest`, then Dent::depth is `deepest`, and Dent::outwards is `inwards`,
-// not the obstacle's normal.
+// way out is longer than `deepest`, the patch is pressed straight into the tissue: Dent::depth is
+// `deepest`, and Dent::outwards is equal to `inwards`.
 Dent dentIn(const SignedDistance& shape, const Vec3& place, const Vec3& inwards, double width,
             const WayOut& limits);
 

@@ -3,7 +3,8 @@
 // An instrument's tip that is narrower than a cell makes a dent that the lattice of cells does not
 // resolve. The computed normals under the tip are inclined as if the dent were much wider, and
 // their inclination grows as the tip goes deeper. The mean normal over the surrounding cells,
-// weighted by area, does not have this error: it depends on the rim of the dent alone.
+// weighted by area, does not have this error, since the sum of the area vectors of a dent depends
+// on the rim of the dent alone.
 #pragma once
 
 #include <array>
@@ -16,11 +17,13 @@
 namespace resect {
 
 // Six sums of present area vectors, m^2, one for each of the directions +x, -x, +y, -y, +z and -z.
-// Each part of the surface is added to the sum for the direction that this part faced at rest. So
-// the two sides of a thin sheet, or the two lips of a cut, are not mixed.
+// Each part of the surface contributes to the sums of the directions that it faced at rest, in
+// proportion to the components of its normal at rest. So the two sides of a thin sheet, or the two
+// lips of a cut, are not mixed.
 using AreaBySide = std::array<Vec3f, 6>;
 
-// Mean normal, unit, outwards, at a point whose normal at rest is `normal`.
+// Mean normal, unit, outwards, at a point whose normal at rest is `normal`. around: the sums over
+// the surface round this point.
 Vec3 meanNormal(const AreaBySide& around, const Vec3f& normal);
 
 class MeanNormals {

@@ -1,9 +1,9 @@
 // The points at which elastic tissue touches obstacles.
 //
-// Points lie on the surface at rest. Each point stands for a patch of the surface. The patches come
-// from setSurface(). Where edits have bared faces of cells, parts of these faces are patches too.
-// If setSurface() was not called, the patches are parts of all cell faces without a neighbouring
-// cell.
+// Points are given by their positions at rest, on the surface of the tissue. Each point stands for
+// a patch of the surface. The patches come from setSurface(). Removing cells and severing bonds
+// bares faces of cells. Parts of the bared faces are patches too. If setSurface() was not called,
+// the patches are parts of all cell faces without a neighbouring cell.
 //
 // A point belongs to a cell. The point follows the weighted mean of this cell and of the neighbours
 // that are bonded to this cell. The weights are those of quadratic splines. With these weights, a
@@ -33,11 +33,13 @@ class ContactPoints {
   void setSurface(const ElasticState& state, const Lattice& lattice,
                   std::span<const SurfacePatch> patches);
 
-  // Appends the points of a cell. lips: whether to include points on the faces of cuts.
+  // Appends the points of a cell. lips: whether to include points on the faces that cuts have
+  // bared.
   void fine(const ElasticState& state, std::int32_t cell, bool lips,
             std::vector<ContactPoint>& points) const;
-  // As fine(), but with fewer points: one point for each bared face, and one point for all patches
-  // of setSurface() together. Faces of cuts get no points.
+  // As fine(), but with fewer points: one point for each face that the removal of a cell has bared,
+  // and one point for all patches of setSurface() together. Faces that cuts have bared get no
+  // points.
   void coarse(const ElasticState& state, std::int32_t cell,
               std::vector<ContactPoint>& points) const;
   // Calls visit(const ContactPoint&) for the patches of setSurface() that belong to the cell.
@@ -60,8 +62,8 @@ class ContactPoints {
 
   std::vector<Owned> told_;  // the patches of setSurface(), ascending by cell
   // Per cell of the box: index in told_ of the cell's first patch. If the cell has no patch:
-  // kInside if the cell was solid before all edits, else kOutside. Empty if setSurface() was not
-  // called.
+  // kInside if the cell was solid before any cell was removed, else kOutside. Empty if setSurface()
+  // was not called.
   static constexpr std::int32_t kInside = -1, kOutside = -2;
   std::vector<std::int32_t> first_;
 };

@@ -1,6 +1,6 @@
-// Cutting by energy: a cut in elastic tissue takes a given energy per area. So the edge of an
-// instrument cuts only as far as it has done the necessary work. docs/methods/cutting.md derives
-// the method.
+// Cutting by energy: a cut in elastic tissue takes a given energy per area. So the area that an
+// instrument's edge has cut is limited by the work that the edge has done. docs/methods/cutting.md
+// derives the method.
 //
 // The edge is represented by points on it, the samples, at most half a spacing (half a cell) apart.
 // A stiff spring, the tie, connects a sample in tissue to a point of the tissue, the tied point. A
@@ -28,7 +28,7 @@ struct CutSample {
   Vec3 place = Vec3::Zero();  // position of the sample in the tissue, in rest space, m
   // Velocity of the instrument at the sample, smoothed over 0.03 s, m/s.
   Vec3 motion = Vec3::Zero();
-  double lean = 1;  // cosine of the angle between `motion` and the cut's direction
+  double lean = 1;  // cosine of the angle between `motion` and the direction in which the edge cuts
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -92,8 +92,8 @@ class CutFronts {
   // A sample in this frame.
   struct Sample {
     Vec3 point, tangent, outwards;   // in the edge's coordinates; point: m; others: unit
-    Vec3 start;                      // CutSample::place when the present sweep began, m
-    bool swept = false;              // whether it has cut without a break since `start`
+    Vec3 start;                      // CutSample::place where its cut began in this frame, m
+    bool swept = false;              // whether it has cut without a break from `start` to here
     bool inside = false;             // whether its piece of the edge was last found in tissue
     bool spent = false;              // untied in this frame; not tied again before the next frame
     Mat3 toRest = Mat3::Identity();  // inverse of the deformation gradient at the tie
@@ -112,7 +112,8 @@ class CutFronts {
     double step = 0;  // length of edge that a sample stands for, m
     std::vector<Sample> samples;
   };
-  // Samples farther apart than this, in units of Edge::step, are not joined to one cut.
+  // Neighbouring samples that are farther apart than this, in units of Edge::step, are not joined
+  // to one cut.
   static constexpr double kStretchedSteps = 3;
   // A cell near an edge.
   struct Candidate {

@@ -15,10 +15,11 @@ namespace resect {
 // the CellBox.
 struct PointCells {
   std::vector<std::int32_t> cells;
-  std::vector<double> weights;   // one per cell; the weights add up to 1
-  Vec3 mean = Vec3::Zero();      // weighted mean of the cells' rest positions, m
-  std::int32_t nearest = -1;     // the cell whose centre is nearest at rest; -1: there is no cell
-  Mat3 gradient = Mat3::Zero();  // F - I of `nearest` at the time of findCells()
+  std::vector<double> weights;  // one per cell; the weights add up to 1
+  Vec3 mean = Vec3::Zero();     // weighted mean of the cells' rest positions, m
+  std::int32_t nearest = -1;    // the cell whose centre is nearest at rest; -1: there is no cell
+  // F - I of `nearest` at the time of findCells(). F is the deformation gradient.
+  Mat3 gradient = Mat3::Zero();
 };
 
 // All points are given in rest space, m.
@@ -29,10 +30,11 @@ class RestTissue {
       : state_(state), lattice_(lattice), surface_(surface) {}
 
   // Finds the cells that stand for a point: the solid cells within the reach (kCutReach). The reach
-  // does not shrink with the cells, since a force on one small cell would crush that cell. If no
-  // solid cell is within the reach, or if all that are within it are almost a full reach away, the
-  // nearest solid cell stands for the point. If the centre of that cell is more than two spacings
-  // away along any axis, no cell is found.
+  // is a fixed length, however small the cells are. If the reach shrank with the cells, a force on
+  // one small cell could crush that cell. If no solid cell is within the reach, or if all that are
+  // within it are almost a full reach away, the nearest solid cell stands for the point. If the
+  // centre of that cell is more than two spacings (sides of a cell) away along any axis, no cell is
+  // found.
   void findCells(const Vec3& point, PointCells& cells) const;
   Vec3 displacement(const Vec3& point, const PointCells& cells) const;  // m
   Vec3 velocity(const PointCells& cells) const;                         // m/s

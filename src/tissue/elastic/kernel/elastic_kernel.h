@@ -50,7 +50,7 @@ struct SubstepConstants {
   float gravity[3] = {};       // m/s^2
   float mostSpeedSquared = 0;  // m^2/s^2; if exceeded, tissue has exploded
   float cofactorLimit = kCofactorLimit;      // see kCofactorLimit
-  float lessCofactorLimit = kCofactorLimit;  // cofactorLimit of the next longer substep
+  float lessCofactorLimit = kCofactorLimit;  // limit that the next longer substep would have
   // relaxes: whether the stress pass counts stiff cells and advances the Maxwell branches.
   // relaxTime: time by which it advances them, s.
   bool relaxes = false;
