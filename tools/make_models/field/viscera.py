@@ -16,7 +16,7 @@ DIAPHRAGM = (0.52, 0.20, 0.17)
 TENDON = (0.74, 0.56, 0.48)
 COLON = (0.74, 0.50, 0.43)
 TAENIA = (0.84, 0.68, 0.58)
-STOMACH = (0.76, 0.50, 0.45)
+STOMACH = (0.88, 0.68, 0.61)
 WALL = 0.036  # thickness of the abdominal wall, as in wall.SECTION
 
 
@@ -171,6 +171,6 @@ def stomach():
         return through(widths, s) * (1.0 + 0.07 * noise(place, 0.045, 63) + 0.02 * noise(place, 0.016, 64))
 
     def colour(p, i, j):
-        return mix(STOMACH, (0.68, 0.38, 0.34), 0.5 + 0.5 * noise(p, 0.03, 61))
+        return mix(STOMACH, (0.78, 0.53, 0.47), 0.5 + 0.5 * noise(p, 0.03, 61))
 
     return tube("gut", curve(knots, 44), radius, colour, columns=44)

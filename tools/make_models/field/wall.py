@@ -11,7 +11,7 @@ COLUMNS = 120
 SKIN = (0.74, 0.56, 0.45)  # painted with iodine
 FAT = (0.88, 0.69, 0.46)
 FAT_GROOVE = (0.70, 0.36, 0.22)
-MUSCLE = (0.50, 0.16, 0.13)
+MUSCLE = (0.66, 0.25, 0.20)
 PERITONEUM = (0.66, 0.34, 0.29)
 DRAPE = (0.10, 0.36, 0.30)
 
