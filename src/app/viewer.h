@@ -74,7 +74,7 @@ class Viewer : public QWidget {
   void mouseButton(const QMouseEvent& event, Qt::MouseButton button, bool down);
   void key(QKeyEvent* event, bool down);
   bool send(SoEvent& event, const QInputEvent& from, const QPointF& at);
-  void drawChanges(double looked);  // `looked`: when the changes were taken, steadySeconds()
+  void drawChanges(double looked);  // `looked`: time of the shown state, steadySeconds()
   double seconds() const { return double(clock_.nsecsElapsed()) * 1e-9; }
   void drawStrip(int strip);
   void drawNextStrip(std::uint32_t& strips);
@@ -95,7 +95,7 @@ class Viewer : public QWidget {
   std::uint32_t coarse_ = 0;  // strips in which something is drawn at a lower resolution
   std::uint32_t rough_ = 0;   // strips that are not antialiased yet
   std::uint32_t behind_ = 0;  // strips to be antialiased while something moves
-  int sinceStrip_ = 0;        // number of pictures drawn since the last strip was drawn
+  int sinceStrip_ = 0;        // pictures drawn since one strip was antialiased
   bool shadowsDue_ = false;   // the next strip also draws the changed shadows
   double slowDrawn_ = 0;      // last time when Damage::slow was drawn again, s
   double stripDrawn_ = 0;     // last time when a strip was drawn while something moved, s

@@ -61,9 +61,9 @@ std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
 
 // The tissue of one organ, at rest. An attachment is a region in which the organ is held. Throws
 // Error if an attachment of elastic tissue contains no particle, if a material is given for a label
-// that no particle has, or if a setting is out of range. There is one exception: an attachment
-// whose region is given in fractions of the organ's box may have been made for an organ of another
-// shape. If such an attachment contains no particle, it is left out with a note.
+// that no particle has, or if a setting is out of range. But an attachment whose region is given in
+// fractions of the organ's box is left out with a note if it contains no particle, since it may
+// have been made for an organ of another shape.
 std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& organ,
                                         std::vector<std::string>* notes = nullptr);
 
@@ -95,7 +95,7 @@ void noteSlowFrames(const Simulation& simulation, const Scenario& scenario,
                     std::vector<std::string>* notes);
 
 // Makes the whole simulation of a scenario by the functions above. Afterwards the simulation is
-// ready for its first frame, and frameInput() may be called with the scenario.
+// ready for its first frame, and the scenario can be given to frameInput() (operation/way/).
 Simulation makeSimulation(Scenario& scenario, const ModelReader& readModel,
                           const Progress& progress = {}, std::vector<std::string>* notes = nullptr);
 

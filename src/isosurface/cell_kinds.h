@@ -47,7 +47,7 @@ namespace resect {
     return (own >> 4 & 0x0fff0fff0fff0fff) | (next & 0x000f000f000f000f) << 12;
   };
   const auto alongZ = [](std::uint64_t own, std::uint64_t next) { return own >> 16 | next << 48; };
-  // Copied word by word: see keptAlone().
+  // Written word by word, so crossedCells() reads single words too (keptAlone() says why).
   std::array<std::uint64_t, 8> mask;
 #pragma GCC unroll 4
   for (std::size_t d = 0; d < 8; d += 2) {

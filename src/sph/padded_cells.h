@@ -1,5 +1,5 @@
-// The colour values of a lattice's cells, with a halo of empty cells round them, so that no reader
-// has to test for the lattice's bounds.
+// The colour values of a lattice's cells (percentages of each cell's volume that are tissue), with
+// a halo of empty cells round them, so that no reader has to test for the lattice's bounds.
 #pragma once
 
 #include <cstddef>

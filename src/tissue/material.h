@@ -83,8 +83,9 @@ inline constexpr double kTearLength = 0.01;
 // Psi(F), J/m^3, without the Maxwell branches. The growth b x of the shear modulus is limited to
 // kMostStiffening (tissue/elastic/kernel/elastic_kernel.h).
 double heldEnergy(const TissueMaterial& material, const Mat3& f);
-// The tear energy, J/m^2, with which this material would tear at a given stretch if it were pulled
-// slowly and had no crack. stretch: length divided by length at rest, 1 to 100.
+// The tear energy, J/m^2, that belongs to a stretch: with this tear energy, a block of the material
+// without a crack tears at that stretch if it is pulled slowly. stretch: length divided by length
+// at rest, 1 to 100.
 double energyOfStretch(const TissueMaterial& material, double stretch);
 
 // The materials of docs/methods/tissue.md, all with nu = 0.45. That page specifies liver by its

@@ -25,7 +25,7 @@ struct CutGrid {
   // First index: axis of an edge. Second index: the edge's lower node. Value: position of the cut
   // along the edge, 0 to 1, or kWhole.
   std::array<const float*, 3> severed{};
-  const SeveredEdges* wound = nullptr;  // traces and normals of the cuts; null: there are none
+  const SeveredEdges* wound = nullptr;  // the cuts with their normals; null: there are no cuts
 
   int stride(int axis) const { return axis == 0 ? 1 : axis == 1 ? dims.x() : dims.x() * dims.y(); }
   int index(const Vec3i& n) const { return (n.z() * dims.y() + n.y()) * dims.x() + n.x(); }

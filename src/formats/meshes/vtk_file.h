@@ -1,8 +1,8 @@
 // Reads legacy VTK files that contain polygons.
 //
 // The files may have version 1.0 to 5.1, and may be text or big-endian binary. The sections POINTS,
-// POLYGONS and TRIANGLE_STRIPS of DATASET POLYDATA are read. Vertices, lines and all attributes are
-// skipped.
+// POLYGONS and TRIANGLE_STRIPS of DATASET POLYDATA are read. All other sections are skipped,
+// such as VERTICES, LINES and attributes.
 //
 // Source: "VTK File Formats" (Kitware, VTK User's Guide).
 #pragma once

@@ -2,7 +2,7 @@
 //
 // Places are usually given in the organ's own coordinates, so that a task fits any organ that has
 // the landmarks and structures that the task names. io/scenario/task_reader.h reads a task
-// from a file; docs/scenarios.md lists the keys in this file.
+// from a file; docs/scenarios.md lists the keys of such a file.
 #pragma once
 
 #include <array>

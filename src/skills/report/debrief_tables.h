@@ -15,7 +15,7 @@ std::string figureTable(const Debrief& debrief);
 std::string studyTable(std::span<const PublishedStudy> studies, std::span<const Measured> own);
 // A section about the vessels that were cut; "" if none was cut.
 std::string vesselSection(const Attempt& attempt);
-// A table of the pieces, and of the amounts of tissue and blood at the end.
+// A table of the organ's pieces, and of the amounts of tissue and blood at the end.
 std::string ledgerTable(const Attempt& attempt);
 // A section about all attempts of the learner; "" if there is only one.
 std::string historySection(const Debrief& debrief);

@@ -22,8 +22,8 @@ bool ranOut(const Check& check, const GoalResult& goal);
 // was not reached, a low value of such a measure is not praised.
 bool addsUp(std::string_view measure);
 
-// Sentences about what was good: the goal, if it was reached; the checks that were kept; and that
-// no work was taken back, if the task allows no undo. If the goal was not reached, measures that
+// Sentences about what was good: the goal, if it was reached; the checks that were kept; and, if
+// the task forbids undo, that undo was not used. If the goal was not reached, measures that
 // add up (addsUp()) are left out. If the goal was not reached and no instrument was at work, there
 // is no praise.
 std::vector<std::string> praise(const Attempt& attempt, const GoalResult& goal,

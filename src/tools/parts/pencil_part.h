@@ -1,6 +1,6 @@
 // Working part of a monopolar pencil: its electrode cuts by heat, almost without force, and seals
-// the thin vessels that it cuts. While its pedal is pressed, the pencil cuts nothing: sparks from
-// its tip coagulate the tissue's surface.
+// the thin vessels that it cuts. It cuts while its pedal is released. While its pedal is pressed,
+// sparks from its tip coagulate the tissue's surface, and it does not cut.
 #pragma once
 
 #include "tools/working_part.h"
