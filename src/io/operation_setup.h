@@ -95,7 +95,7 @@ void noteSlowFrames(const Simulation& simulation, const Scenario& scenario,
                     std::vector<std::string>* notes);
 
 // Makes the whole simulation of a scenario by the functions above. Afterwards the simulation is
-// ready for its first frame, and the scenario can be given to frameInput() (operation/way/).
+// ready for its first frame, and the scenario can be given to frameInput() (operation/scenario.h).
 Simulation makeSimulation(Scenario& scenario, const ModelReader& readModel,
                           const Progress& progress = {}, std::vector<std::string>* notes = nullptr);
 
