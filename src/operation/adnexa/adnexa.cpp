@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "geometry/normals.h"
 
 namespace resect {
 namespace {
 
-// How far round an anchor tissue carries it, m, and in spacings of the lattice; the larger counts.
+// An anchor is carried by the nearest particles, kMost at most. They are no farther away than
+// kReach, m, or kReachInSpacings, spacings of the lattice; the larger counts.
 constexpr double kReach = 0.012, kReachInSpacings = 1.7;
+constexpr std::size_t kMost = 12;
 // An edge that has become longer than this was torn or cut.
 constexpr float kStretches = 2.2f, kAlways = 1e-3f;  // times at rest, plus m
 
@@ -31,16 +34,22 @@ void Adnexa::begin(const OperatedOrgan& operated) {
   const Lattice& lattice = organ.rest.lattice;
   const double reach = std::max(kReach, kReachInSpacings * lattice.spacing.maxCoeff());
   for (const Vec3& anchor : shapes_.anchors) {
-    Holder& holder = holders_.emplace_back();
     const Vec3 at = place_ * anchor;
-    double sum = 0;
+    std::vector<std::pair<double, std::int64_t>> near;  // squared distance, cell
     for (std::int64_t i = 0; i < std::int64_t(organ.rest.inside.size()); ++i) {
       if (!organ.rest.inside[std::size_t(i)]) continue;
-      const double share = (lattice.centre(lattice.cell(i)) - at).squaredNorm() / (reach * reach);
-      if (share >= 1) continue;
-      holder.particles.push_back(i);
-      holder.weights.push_back((1 - share) * (1 - share));
-      sum += holder.weights.back();
+      const double distance2 = (lattice.centre(lattice.cell(i)) - at).squaredNorm();
+      if (distance2 < reach * reach) near.emplace_back(distance2, i);
+    }
+    std::ranges::sort(near);
+    if (near.size() > kMost) near.resize(kMost);
+    Holder& holder = holders_.emplace_back();
+    double sum = 0;
+    for (const auto& [distance2, cell] : near) {
+      const double weight = 1 - distance2 / (reach * reach);
+      holder.particles.push_back(cell);
+      holder.weights.push_back(weight);
+      sum += weight;
     }
     for (double& weight : holder.weights) weight /= sum;
   }
