@@ -2,14 +2,16 @@
 #include "operation/adnexa/adnexa.h"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 
 #include "io/operation_setup.h"
 #include "io/plain_mesh.h"
 #include "io/scenario/scenario_file.h"
 #include "operation/live/present_surface.h"
-#include "operation/run.h"
+#include "organ/builtin/builtin_liver.h"
 
 using namespace resect;
 
@@ -58,7 +60,7 @@ void step(Simulation& simulation, int frames, const std::vector<TissueEdit>& edi
 }  // namespace
 
 TEST_CASE("adnexa sit on the built-in liver however it lies, and follow it as it moves") {
-  for (const std::string& organ : {kVessels, kTurned}) {
+  for (const std::string& organ : {kVessels, kTurned, std::string()}) {
     Scenario scenario = liver(organ);
     Simulation simulation = makeSimulation(scenario, readPlainMesh);
     simulation.keepLook();
@@ -106,10 +108,23 @@ TEST_CASE("adnexa whose tissue is removed are no longer drawn") {
   CHECK(holes(*after) < int(after->triangles.size()) / 2);
 }
 
-TEST_CASE("only the built-in liver with its vessels has adnexa") {
-  for (const char* organ : {"", "source = \"gallbladder\"\n"}) {
-    Scenario scenario = liver(organ, "still");
-    const Simulation simulation = makeSimulation(scenario, readPlainMesh);
-    CHECK_FALSE(Adnexa().follow(simulation));
-  }
+TEST_CASE("only the built-in liver has adnexa, and its place is found however it lies") {
+  for (const char* spacing : {"12mm", "8mm", "6mm"})
+    for (const double degrees : {0.0, 33.0, 170.0}) {
+      Scenario scenario =
+          liver(fmt::format("vessels = \"built-in\"\nsettle = false\n"
+                            "rotation = {{ axis = [0.3, 0.2, -0.9], degrees = {} }}\n",
+                            degrees),
+                "still");
+      scenario.organs[0].source.spacing = std::stod(spacing) / 1000;
+      const Simulation simulation = makeSimulation(scenario, readPlainMesh);
+      const auto pose = builtinLiverPose(simulation.organ().rest);
+      REQUIRE(pose);
+      // The root of the portal vein, as it comes with the liver.
+      const Vec3 root = builtinLiverVessels().hilumOut;
+      const Vec3 place = simulation.organ().map->anatomy.segments[0].start;
+      CHECK((*pose * root - place).norm() < 0.25 * *scenario.organs[0].source.spacing);
+    }
+  Scenario scenario = liver("source = \"gallbladder\"\n", "still");
+  CHECK_FALSE(Adnexa().follow(makeSimulation(scenario, readPlainMesh)));
 }

@@ -21,14 +21,11 @@ constexpr float kStretches = 2.2f, kAlways = 1e-3f;  // times at rest, plus m
 
 void Adnexa::begin(const OperatedOrgan& operated) {
   const Organ& organ = operated.organ;
-  map_ = organ.map;
-  shapes_ = {};
-  last_ = nullptr;
-  const std::optional<Pose> place = map_ ? builtinLiverPose(map_->anatomy) : std::nullopt;
+  begun_ = true;
+  const std::optional<Pose> place = builtinLiverPose(organ.rest);
   if (!place) return;
   place_ = *place;
   shapes_ = liverAdnexa();
-  rest_.clear(), normals_.clear(), holders_.clear();
   for (const Vec3& p : shapes_.mesh.points) rest_.emplace_back(p.cast<float>());
   for (const Vec3& n : pointNormals(shapes_.mesh)) normals_.emplace_back(n.cast<float>());
   const Lattice& lattice = organ.rest.lattice;
@@ -80,7 +77,7 @@ std::vector<Adnexa::Motion> Adnexa::motionsIn(const OperatedOrgan& operated) con
 std::shared_ptr<const SurfaceCopy> Adnexa::follow(const Simulation& simulation) {
   if (simulation.organs().size() != 1) return nullptr;
   const OperatedOrgan& operated = simulation.organs()[0];
-  if (!map_ || map_ != operated.organ.map) begin(operated);
+  if (!begun_) begin(operated);
   if (shapes_.mesh.points.empty()) return nullptr;
   std::vector<Motion> motions = motionsIn(operated);
   if (last_ && motions == motions_) return last_;

@@ -14,10 +14,10 @@ namespace resect {
 class Adnexa {
  public:
   // The present shapes, for viewers; null if there are none. Only the built-in liver has adnexa,
-  // and only if it is the only organ and has its vessels. `rest` is in the coordinates of the
-  // built-in liver, and `cut` is LiverAdnexa::look. A triangle is left out ({0, 0, 0}) where the
-  // tissue that holds it was removed, or where a cut has drawn its anchors apart. To be called with
-  // the same simulation each time, whose vessels may have been replaced. Cost: some 0.4 ms.
+  // and only if it is the only organ. `rest` is in the coordinates of the built-in liver, and `cut`
+  // is LiverAdnexa::look. A triangle is left out ({0, 0, 0}) where the tissue that holds it was
+  // removed, or where a cut has drawn its anchors apart. To be called with the same simulation each
+  // time. Cost: some 0.4 ms, the first time 50 ms.
   std::shared_ptr<const SurfaceCopy> follow(const Simulation& simulation);
 
  private:
@@ -37,12 +37,12 @@ class Adnexa {
   void begin(const OperatedOrgan& organ);
   std::vector<Motion> motionsIn(const OperatedOrgan& organ) const;
 
-  std::shared_ptr<const VesselMap> map_;  // of the organ for which the rest was made
-  LiverAdnexa shapes_;                    // empty: this organ has none
-  Pose place_;                            // of the liver at rest in the world
-  std::vector<Vec3f> rest_, normals_;     // of the points, in the liver's coordinates
-  std::vector<Holder> holders_;           // per anchor
-  std::vector<Motion> motions_;           // per anchor, of last_
+  bool begun_ = false;                 // begin() was called
+  LiverAdnexa shapes_;                 // empty: this organ has none
+  Pose place_;                         // of the liver at rest in the world
+  std::vector<Vec3f> rest_, normals_;  // of the points, in the liver's coordinates
+  std::vector<Holder> holders_;        // per anchor
+  std::vector<Motion> motions_;        // per anchor, of last_
   std::shared_ptr<const SurfaceCopy> last_;
 };
 

@@ -1,5 +1,6 @@
 #include "operation/adnexa/liver_adnexa.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -151,27 +152,68 @@ LiverAdnexa liverAdnexa() {
   return adnexa;
 }
 
-std::optional<Pose> builtinLiverPose(const Anatomy& vessels) {
-  constexpr double kSame = 1e-4;  // m
-  // The roots of the trees that the built-in liver ships with: from the entry to the first fork.
-  const VesselGrowth grown = builtinLiverVessels();
-  Eigen::Matrix<double, 3, 4> theirs, ours;
-  ours << grown.hilumOut, Vec3(0.0308, 0.000745, 0.004013),  // portal vein
-      grown.cavaOut, Vec3(0.0308, 0.040745, -0.010987);      // hepatic veins
-  int column = 0;
-  for (const VesselKind kind : {VesselKind::PortalVein, VesselKind::HepaticVein}) {
-    const VesselRange range = vessels.range(kind);
-    if (range.count == 0) return std::nullopt;
-    const VesselSegment& root = vessels.segments[std::size_t(range.first)];
-    theirs.col(column++) = root.start;
-    theirs.col(column++) = root.end;
+namespace {
+
+// A body of equal cells: its volume, its middle, and its axes of inertia, the longest first.
+struct Inertia {
+  double volume = 0;  // m^3
+  Vec3 middle = Vec3::Zero();
+  Mat3 axes = Mat3::Identity();  // columns, right-handed
+};
+Inertia inertiaOf(const std::vector<Vec3>& places, double cell) {
+  Inertia body;
+  body.volume = cell * double(places.size());
+  for (const Vec3& p : places) body.middle += p / double(places.size());
+  Mat3 spread = Mat3::Zero();
+  for (const Vec3& p : places) spread += (p - body.middle) * (p - body.middle).transpose();
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(spread);
+  body.axes << solver.eigenvectors().col(2), solver.eigenvectors().col(1),
+      solver.eigenvectors().col(2).cross(solver.eigenvectors().col(1));
+  return body;
+}
+
+const Inertia& builtinInertia() {
+  static const Inertia liver = [] {
+    constexpr double kStep = 0.006;  // m
+    const Aabb box = bounds(builtinLiver(0.005));
+    std::vector<Vec3> places;
+    for (double x = box.min.x(); x < box.max.x(); x += kStep)
+      for (double y = box.min.y(); y < box.max.y(); y += kStep)
+        for (double z = box.min.z(); z < box.max.z(); z += kStep)
+          if (builtinLiverDistance({x, y, z}) < 0) places.emplace_back(x, y, z);
+    return inertiaOf(places, kStep * kStep * kStep);
+  }();
+  return liver;
+}
+
+}  // namespace
+
+std::optional<Pose> builtinLiverPose(const Discretization& organ) {
+  constexpr double kSameVolume = 0.04, kInside = 0.97;
+  constexpr std::size_t kTried = 1000;  // particles
+  const Lattice& lattice = organ.lattice;
+  std::vector<Vec3> places;
+  for (std::size_t i = 0; i < organ.inside.size(); ++i)
+    if (organ.inside[i]) places.push_back(lattice.centre(lattice.cell(std::int64_t(i))));
+  if (places.empty()) return std::nullopt;
+  const Inertia &liver = builtinInertia(), body = inertiaOf(places, lattice.spacing.prod());
+  if (std::abs(body.volume / liver.volume - 1) > kSameVolume) return std::nullopt;
+  // Axes have no sign: four rotations are possible.
+  std::optional<Pose> best;
+  double most = kInside;
+  for (const Vec3& signs : {Vec3(1, 1, 1), Vec3(1, -1, -1), Vec3(-1, 1, -1), Vec3(-1, -1, 1)}) {
+    const Mat3 rotation = body.axes * signs.asDiagonal() * liver.axes.transpose();
+    const std::size_t step = std::max<std::size_t>(1, places.size() / kTried);
+    double inside = 0, tried = 0;
+    for (std::size_t i = 0; i < places.size(); i += step, ++tried) {
+      const Vec3 p = liver.middle + rotation.transpose() * (places[i] - body.middle);
+      inside += builtinLiverDistance(p) < 0.001;
+    }
+    if (inside / tried < most) continue;
+    most = inside / tried;
+    best = Pose{body.middle - rotation * liver.middle, Eigen::Quaterniond(rotation)};
   }
-  const Eigen::Matrix4d pose = Eigen::umeyama(ours, theirs, false);
-  const Mat3 rotation = pose.topLeftCorner<3, 3>();
-  const Vec3 position = pose.topRightCorner<3, 1>();
-  for (int i = 0; i < 4; ++i)
-    if ((rotation * ours.col(i) + position - theirs.col(i)).norm() > kSame) return std::nullopt;
-  return Pose{position, Eigen::Quaterniond(rotation)};
+  return best;
 }
 
 }  // namespace resect

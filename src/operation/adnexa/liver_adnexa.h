@@ -6,8 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "anatomy/anatomy.h"
+#include "geometry/pose.h"
 #include "geometry/triangle_mesh.h"
+#include "sph/discretization.h"
 
 namespace resect {
 
@@ -30,7 +31,10 @@ struct LiverAdnexa {
 
 LiverAdnexa liverAdnexa();
 
-// The pose of the built-in liver whose vessels these are; none if they are other vessels.
-std::optional<Pose> builtinLiverPose(const Anatomy& vessels);
+// The pose in which the organ is the built-in liver; none if it is another organ. The pose is found
+// from the axes of inertia of the particles, with an error of about a millimetre. For it to count,
+// 97 % of the particles have to lie inside the liver's shape, and the volumes have to agree within
+// 4 %. Cost: some 20 ms.
+std::optional<Pose> builtinLiverPose(const Discretization& organ);
 
 }  // namespace resect
