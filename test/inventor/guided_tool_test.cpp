@@ -7,6 +7,7 @@
 
 #include "inventor/gl/SoOrganShape.h"
 #include "inventor/hand/operating_session.h"
+#include "inventor/hand/pointed_surface.h"
 #include "support/operating_bench.h"
 
 using namespace resect;
@@ -115,7 +116,7 @@ TEST_CASE(
     const SbVec2s begin = bench.onOrgan(from[0], from[1]), end = bench.onOrgan(to[0], to[1]);
     bench.take(kScalpel, begin);
     for (int i = 0; i < 5; ++i) bench.button(begin, true, SoMouseButtonEvent::BUTTON5);
-    REQUIRE(bench.tools().depth(kScalpel) == doctest::Approx(0.010));
+    REQUIRE(bench.tools().depth(kScalpel) == doctest::Approx(0.012));
     CHECK(bench.tools().isLeastDeep(kScalpel));
     bench.press(begin);
     bench.draw(begin, end);
@@ -286,6 +287,42 @@ TEST_CASE("a hook left holding holds while the scalpel cuts; taken again, it let
   CHECK_FALSE(bench.tools().isLeft(kHook));
   bench.waitSeconds(0.3);
   CHECK(bench.session->state().forces[kHook] < 0.01);
+}
+
+TEST_CASE("in a wound a blade goes into the depth, on the skin at right angles to the skin") {
+  Bench bench(0.008);
+  bench.take(kHook, bench.onOrgan(25, -5));
+  bench.press(bench.onOrgan(25, -5));
+  bench.waitSeconds(0.4);
+  bench.draw(bench.onOrgan(25, -5), bench.onOrgan(40, -8));
+  bench.key(SoKeyboardEvent::F);
+  const SbVec2s from = bench.onOrgan(0, 25), to = bench.onOrgan(0, -25);
+  bench.take(kScalpel, from);
+  bench.press(from);
+  bench.draw(from, to);
+  bench.release(to);
+  bench.waitSeconds(1.5);
+
+  const PointedSurface pointed(bench.session->room());
+  int walls = 0, skin = 0;
+  for (int x = -40; x <= 40; x += 2)
+    for (int y = -30; y <= 30; y += 2) {
+      const SbVec2s at = bench.onOrgan(x, y);
+      const auto face = pointed.under(at, bench.viewport);
+      const auto blade = pointed.under(at, bench.viewport, true);
+      REQUIRE(face);
+      REQUIRE(blade);
+      CHECK((face->point - blade->point).norm() < 1e-9);
+      if ((face->normal - blade->normal).norm() < 1e-6) {
+        ++skin;
+      } else {
+        ++walls;
+        CHECK(blade->normal.y() > 0.6);
+      }
+    }
+  MESSAGE(walls, " points in the wound, ", skin, " on the skin");
+  CHECK(walls > 5);
+  CHECK(skin > 200);
 }
 
 TEST_CASE("taking another instrument while one works leaves that one at work") {

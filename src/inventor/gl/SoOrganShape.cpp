@@ -231,7 +231,7 @@ void SoOrganShape::growChanged(const std::vector<Range>& vertices,
   addChanged(box);
 }
 
-std::optional<SurfacePoint> SoOrganShape::firstPointOn(const Ray& ray) {
+std::optional<OrganPoint> SoOrganShape::firstPointOn(const Ray& ray) {
   takeFields();
   refreshBlocks();
   return resect::firstPointOn(surface_, blocks_, ray);

@@ -81,7 +81,7 @@ class SoOrganShape : public SoShape {
 
   // The first point at which a ray meets the present surface. Ray and point are in object space.
   // Returns nothing if the ray does not meet the surface.
-  std::optional<SurfacePoint> firstPointOn(const Ray& ray);
+  std::optional<OrganPoint> firstPointOn(const Ray& ray);
   // A copy of the present surface. firstPointOn() (inventor/gl/surface_ray.h) can later find points
   // of this copy.
   std::pair<SurfaceCopy, TriangleBlocks> snapshot();

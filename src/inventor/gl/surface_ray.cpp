@@ -6,8 +6,8 @@
 
 namespace resect {
 
-std::optional<SurfacePoint> firstPointOn(const SurfaceCopy& surface, const TriangleBlocks& blocks,
-                                         const Ray& ray) {
+std::optional<OrganPoint> firstPointOn(const SurfaceCopy& surface, const TriangleBlocks& blocks,
+                                       const Ray& ray) {
   const auto corner = [&](std::int32_t v) -> Vec3 {
     return surface.points[std::size_t(v)].cast<double>();
   };
@@ -25,10 +25,14 @@ std::optional<SurfacePoint> firstPointOn(const SurfaceCopy& surface, const Trian
   if (!met) return std::nullopt;
   // The mean of the corners' normals changes little from one triangle to the next.
   Vec3 normal = Vec3::Zero();
-  for (const std::int32_t v : *met) normal += surface.normals[std::size_t(v)].cast<double>();
+  double cut = 0;
+  for (const std::int32_t v : *met) {
+    normal += surface.normals[std::size_t(v)].cast<double>();
+    cut += std::max(0.0, double(surface.cut[std::size_t(v)])) / 3;
+  }
   constexpr double kSmall = 1e-6;
   if (normal.norm() < kSmall) normal = -ray.direction;
-  return SurfacePoint{ray.at(first), normal.normalized()};
+  return OrganPoint{{ray.at(first), normal.normalized()}, cut};
 }
 
 }  // namespace resect

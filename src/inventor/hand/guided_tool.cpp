@@ -62,14 +62,16 @@ void ToolHandling::takeUpHeld() {
   hand_ = takeUp(style, style.forward < 0 ? Vec3(-towardsViewer) : towardsViewer);
   hand_.depth = depths_[std::size_t(held_)];
   if (!viewport_ || !isIn(pointer_, *viewport_)) return;
-  if (const auto at = pointed_.under(pointer_, *viewport_)) pointAt(hand_, *at);
+  if (const auto at = pointed_.under(pointer_, *viewport_, style.entersSlowly)) pointAt(hand_, *at);
   seekUnder(pointer_, *viewport_);
 }
 
 void ToolHandling::aim(const SbVec2s& pixel, const SbViewportRegion& viewport) {
   pointer_ = pixel;
   viewport_ = viewport;
-  const auto at = pressing() ? pointed_.along(pixel, viewport) : pointed_.under(pixel, viewport);
+  const bool blade = hand_.style.entersSlowly;
+  const auto at =
+      pressing() ? pointed_.along(pixel, viewport, blade) : pointed_.under(pixel, viewport, blade);
   if (!at) return;
   if (pressing() && pointed_.landed())
     landAt(hand_, *at);

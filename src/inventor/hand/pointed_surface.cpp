@@ -17,10 +17,16 @@ constexpr double kReach = 5;    // m
 constexpr double kJump = 0.02;  // m: a stroke may go so far up or down at once,
 constexpr double kSlope = 2;    // or so many times its way
 
-// With its normal on the side that the ray comes from.
-SurfacePoint seenFrom(const Ray& ray, SurfacePoint at) {
-  if (at.normal.dot(ray.direction) > 0) at.normal = -at.normal;
-  return at;
+// With its normal on the side that the ray comes from. intoWounds: in a wound the normal is that of
+// no face, but half upwards and half towards the eye, so that a blade goes on into the depth of the
+// wound and not into its walls.
+SurfacePoint seenFrom(const Ray& ray, const OrganPoint& at, bool intoWounds) {
+  constexpr double kWall = 0.5;  // cut share
+  SurfacePoint seen = at;
+  if (intoWounds && at.cut > kWall) seen.normal = Vec3::UnitY() - ray.direction;
+  if (seen.normal.dot(ray.direction) > 0) seen.normal = -seen.normal;
+  seen.normal.normalize();
+  return seen;
 }
 
 }  // namespace
@@ -37,7 +43,8 @@ Ray PointedSurface::rayThrough(const SbVec2s& pixel, const SbViewportRegion& vie
 }
 
 std::optional<SurfacePoint> PointedSurface::under(const SbVec2s& pixel,
-                                                  const SbViewportRegion& viewport) const {
+                                                  const SbViewportRegion& viewport,
+                                                  bool intoWounds) const {
   // The organs are excluded from Inventor's picking for speed.
   const Ray ray = rayThrough(pixel, viewport);
   std::optional<SurfacePoint> nearest;
@@ -46,9 +53,9 @@ std::optional<SurfacePoint> PointedSurface::under(const SbVec2s& pixel,
     if (far < (nearest ? (nearest->point - ray.origin).norm() : kReach)) nearest = at;
   };
   for (int o = 0; o < room_.organCount(); ++o)
-    if (const auto on = room_.organ(o)->firstPointOn(ray)) take(seenFrom(ray, *on));
+    if (const auto on = room_.organ(o)->firstPointOn(ray)) take(seenFrom(ray, *on, intoWounds));
   const double table = -ray.origin.y() / ray.direction.y();  // its plane, y = 0
-  if (table >= 0) take(seenFrom(ray, {ray.at(table), Vec3::UnitY()}));
+  if (table >= 0) take({ray.at(table), Vec3::UnitY()});
   return nearest;
 }
 
@@ -62,7 +69,8 @@ void PointedSurface::begin(const SurfacePoint& first) {
 void PointedSurface::end() { kept_.clear(); }
 
 std::optional<SurfacePoint> PointedSurface::along(const SbVec2s& pixel,
-                                                  const SbViewportRegion& viewport) {
+                                                  const SbViewportRegion& viewport,
+                                                  bool intoWounds) {
   const Ray ray = rayThrough(pixel, viewport);
   const Vec3 axis = rayThrough(SbVec2s(viewport.getViewportSizePixels() / short(2)), viewport)
                         .direction;  // of the view
@@ -78,7 +86,7 @@ std::optional<SurfacePoint> PointedSurface::along(const SbVec2s& pixel,
     const auto on = firstPointOn(surface, blocks, ray);
     if (!on || (on->point - beside).norm() > nearest) continue;
     nearest = (on->point - beside).norm();
-    next = seenFrom(ray, *on);
+    next = seenFrom(ray, *on, intoWounds);
     reached_ = true;
   }
   landed_ = reached_ && !was && (next.point - last_.point).norm() > kJump;

@@ -39,7 +39,7 @@ struct HandStyle {
 };
 // The style for an instrument. Some kinds of instrument have a style of their own. For the other
 // kinds, the geometry decides: a blade has an edge, scissors have jaws, a hook has a bend. spacing:
-// side of the tissue's cells, m. A scalpel goes at least 1.25 cells deep, since a shallower stroke
+// side of the tissue's cells, m. A scalpel goes at least 1.5 cells deep, since a shallower stroke
 // would part the outermost cells only here and there.
 HandStyle handStyleOf(const ToolModel& tool, double spacing = 0);
 
