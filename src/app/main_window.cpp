@@ -204,13 +204,18 @@ void MainWindow::tick() {
     if (options_.reports) say("left{}", names.empty() ? " nothing" : names);
   }
   const LiveState& state = session_->state();
-  // A scenario's instruments wait in the air between their tasks.
-  constexpr double kWaits = 1;  // s
-  std::vector<std::uint8_t> working = tools.left();
-  if (session_->playing() || session_->showing())
-    for (std::size_t i = 0; i < working.size() && i < state.lastTouch.size(); ++i)
-      if (state.lastTouch[i] < 0 || state.time - state.lastTouch[i] > kWaits) working[i] = 0;
-  instruments_->show(heldSaid_, working);
+  std::vector<LeftTool> left(tools.left().size());
+  for (std::size_t i = 0; i < left.size() && i < state.lastTouch.size(); ++i) {
+    constexpr double kWaits = 1, kFelt = 0.01;  // s, N
+    if (!tools.isLeft(int(i))) continue;
+    const bool touches = session_->showing()
+                             ? state.forces[i] > kFelt
+                             : state.lastTouch[i] >= 0 && state.time - state.lastTouch[i] < kWaits;
+    // A scenario's instruments wait in the air between their tasks.
+    const bool waits = session_->playing() || session_->showing();
+    left[i] = touches ? LeftTool::Works : waits ? LeftTool::No : LeftTool::TouchesNothing;
+  }
+  instruments_->show(heldSaid_, left);
   speaker_.follow(state, session_->toolModels(), tools.pedalling() ? tools.held() : -1);
   if (options_.reports && state.removed != removedSaid_) {
     removedSaid_ = state.removed;

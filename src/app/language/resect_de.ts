@@ -3921,5 +3921,9 @@
         <source>%1 mm deep, the least for cells of this size (wheel)</source>
         <translation>%1 mm tief, das Mindeste bei Zellen dieser Größe (Mausrad)</translation>
     </message>
+    <message>
+        <source>%1   (touches nothing)</source>
+        <translation>%1   (berührt nichts)</translation>
+    </message>
 </context>
 </TS>

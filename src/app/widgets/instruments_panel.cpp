@@ -10,13 +10,15 @@
 namespace resect {
 namespace {
 
-// The name of an instrument that works while another is in hand; with a mark where the button is
-// too narrow for words.
-QString atWork(const QToolButton& button, const QString& name) {
+// The name of an instrument that works, or should, while another is in hand; with a mark where the
+// button is too narrow for words.
+QString atWork(const QToolButton& button, const QString& name, LeftTool left) {
   constexpr int kFrame = 16;  // pixels of the button beside its text
-  const QString words = Words::tr("%1   (at work)").arg(name);
+  const QString words =
+      (left == LeftTool::Works ? Words::tr("%1   (at work)") : Words::tr("%1   (touches nothing)"))
+          .arg(name);
   const bool fits = button.fontMetrics().horizontalAdvance(words) + kFrame <= button.width();
-  return fits ? words : QString("%1 \u25cf").arg(name);
+  return fits ? words : QString(left == LeftTool::Works ? "%1 \u25cf" : "%1 \u25cb").arg(name);
 }
 
 }  // namespace
@@ -50,10 +52,11 @@ void InstrumentsPanel::setTools(const std::vector<ToolModel>& tools) {
   }
 }
 
-void InstrumentsPanel::show(int held, const std::vector<std::uint8_t>& left) {
+void InstrumentsPanel::show(int held, const std::vector<LeftTool>& left) {
   for (std::size_t i = 0; i < buttons_.size(); ++i) {
     buttons_[i]->setChecked(int(i) == held);
-    const QString text = left[i] ? atWork(*buttons_[i], names_[i]) : names_[i];
+    const QString text =
+        left[i] == LeftTool::No ? names_[i] : atWork(*buttons_[i], names_[i], left[i]);
     if (buttons_[i]->text() != text) buttons_[i]->setText(text);
   }
 }

@@ -29,7 +29,9 @@ QString narrowestMargin(const Ledger& ledger) {
 
 QString bloodText(double bled) {
   const long share = std::lround(100 * bled / Circulation{}.volume);
-  return share < 1 ? millilitres(bled) : Words::tr("%1 (%2 %)").arg(millilitres(bled)).arg(share);
+  const QString volume =
+      bled < 1e-4 ? millilitres(bled) : QString("%1 ml").arg(std::lround(bled * 1e6));
+  return share < 1 ? volume : Words::tr("%1 (%2 %)").arg(volume).arg(share);
 }
 
 }  // namespace

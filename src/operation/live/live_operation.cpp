@@ -29,6 +29,7 @@ LiveOperation::LiveOperation(std::unique_ptr<Simulation> simulation, const std::
       frameRate_(frameRate),
       wholeVolume_(restVolume(*simulation_)),
       motions_(rests.size()),
+      pressedFrom_(rests.size()),
       paused_(paused),
       publishers_(simulation_->organs().size()) {
   require(frameRate >= 1 && frameRate <= 1000, "{} frames a second were asked for; give 1 to 1000",

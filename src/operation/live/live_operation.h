@@ -178,7 +178,9 @@ class LiveOperation {
   std::condition_variable newFrame_, wake_;
   FrameInput input_;
   std::vector<std::optional<HandMotion>> motions_;  // one per tool, as setTool() got it
-  std::vector<Sight> sight_;                        // as setSight() got it
+  // One per tool: HandMotion::from in the last frame. Used by the thread only.
+  std::vector<std::optional<Pose>> pressedFrom_;
+  std::vector<Sight> sight_;  // as setSight() got it
   Motion motion_;
   // fresh_: a frame has ended since the last take().
   bool paused_ = false, ending_ = false, fresh_ = false;

@@ -119,7 +119,16 @@ void LiveOperation::operate(Task task) {
       const ToolState& now = simulation_->tools()[i];
       tool.squeeze = squeezeTowards(tool.squeeze, now.way.to.squeeze, task.input.duration);
       const auto& motion = task.motions[i];
+      const std::optional<Pose> before =
+          std::exchange(pressedFrom_[i], motion ? std::optional(motion->from) : std::nullopt);
       if (!motion) continue;
+      // Pressed anew, as after an undo: the tool is lifted for a frame, so that it does not work on
+      // its way from the place where it was.
+      if (now.inHand && !(before && before->position == motion->from.position)) {
+        tool.inHand = false;
+        tool.pose = motion->from;
+        continue;
+      }
       const Vec3 wanted = tool.pose.position;
       tool.pose = now.inHand
                       ? poseTowards(tool.pose, now.pose(), task.input.duration, motion->fastest)
