@@ -219,6 +219,7 @@ TEST_CASE("a stroke after an undo begins where the hand presses, not where the i
   bench.session->operation().waitForAnswer();
   bench.session->update();
   // In the moment that is shown, the scalpel may be in hand at the start of the first stroke.
+  REQUIRE(bench.tools().held() == kScalpel);
   const SbVec2s at = bench.onOrgan(30, 5);
   const Vec3 there = bench.session->pointUnder(at, bench.viewport)->point;
   bench.press(at);
@@ -227,7 +228,10 @@ TEST_CASE("a stroke after an undo begins where the hand presses, not where the i
     const LiveState& state = bench.session->state();
     if (state.inHand[kScalpel]) CHECK((state.poses[kScalpel].position - there).norm() < 0.02);
   }
-  bench.release(at);
+  bench.draw(at, bench.onOrgan(45, -5));
+  bench.release(bench.onOrgan(45, -5));
+  bench.waitSeconds(0.5);
+  CHECK(bench.cutArea() > 1e-4);
 }
 
 TEST_CASE("an instrument moves no faster than a hand while it works") {

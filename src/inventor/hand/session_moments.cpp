@@ -85,15 +85,18 @@ void OperatingSession::leave() {
 void OperatingSession::followMoment() {
   following_ = true;
   const bool guided = tools_.usual() == ToolHandling::Hold::Guided;
-  // The hand keeps the guided tool that it has, which may have hovered in that moment; other tools
-  // that worked are left at work. An empty hand takes the tool that moved.
+  // The hand keeps the guided tool that it has, unless that tool stood still in that moment and
+  // held tissue: then it had been left at work. So are all other tools that worked, but an empty
+  // hand takes the one that moved.
+  constexpr double kHolds = 0.05;  // N
   int inHand = guided ? tools_.held() : -1;
   std::vector<std::uint8_t> left(state_.played.size());
   for (std::size_t i = 0; i < state_.played.size(); ++i) {
     room().setToolPose(int(i), state_.played[i].pose);
     if (!state_.played[i].inHand) continue;
-    const bool mayBeInHand = tools_.held() < 0 || tools_.held() == int(i);
-    left[i] = guided && !(state_.moved[i] && mayBeInHand);
+    const bool kept = tools_.held() == int(i) && state_.forces[i] < kHolds;
+    const bool moves = state_.moved[i] && (tools_.held() < 0 || tools_.held() == int(i));
+    left[i] = guided && !kept && !moves;
     if (!left[i]) inHand = int(i);
   }
   if (inHand >= 0 && left[std::size_t(inHand)]) inHand = -1;
