@@ -123,6 +123,7 @@ TEST_CASE("only the built-in liver has adnexa, and its place is found however it
       // The root of the portal vein, as it comes with the liver.
       const Vec3 root = builtinLiverVessels().hilumOut;
       const Vec3 place = simulation.organ().map->anatomy.segments[0].start;
+      CHECK(holes(*Adnexa().follow(simulation)) == 0);
       CHECK((*pose * root - place).norm() < 0.25 * *scenario.organs[0].source.spacing);
     }
   Scenario scenario = liver("source = \"gallbladder\"\n", "still");

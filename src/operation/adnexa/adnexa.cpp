@@ -10,10 +10,10 @@
 namespace resect {
 namespace {
 
-// An anchor is carried by the nearest particles, kMost at most. They are no farther away than
-// kReach, m, or kReachInSpacings, spacings of the lattice; the larger counts.
-constexpr double kReach = 0.012, kReachInSpacings = 1.7;
-constexpr std::size_t kMost = 12;
+// An anchor is carried by so many particles, the nearest ones. The weight of a particle falls with
+// the square of its distance, and would be 0 at kWide times that of the farthest.
+constexpr std::size_t kHolders = 12;
+constexpr double kWide = 1.3;
 // An edge that has become longer than this was torn or cut.
 constexpr float kStretches = 2.2f, kAlways = 1e-3f;  // times at rest, plus m
 
@@ -29,24 +29,20 @@ void Adnexa::begin(const OperatedOrgan& operated) {
   for (const Vec3& p : shapes_.mesh.points) rest_.emplace_back(p.cast<float>());
   for (const Vec3& n : pointNormals(shapes_.mesh)) normals_.emplace_back(n.cast<float>());
   const Lattice& lattice = organ.rest.lattice;
-  const double reach = std::max(kReach, kReachInSpacings * lattice.spacing.maxCoeff());
   for (const Vec3& anchor : shapes_.anchors) {
     const Vec3 at = place_ * anchor;
     std::vector<std::pair<double, std::int64_t>> near;  // squared distance, cell
-    for (std::int64_t i = 0; i < std::int64_t(organ.rest.inside.size()); ++i) {
-      if (!organ.rest.inside[std::size_t(i)]) continue;
-      const double distance2 = (lattice.centre(lattice.cell(i)) - at).squaredNorm();
-      if (distance2 < reach * reach) near.emplace_back(distance2, i);
-    }
-    std::ranges::sort(near);
-    if (near.size() > kMost) near.resize(kMost);
+    for (std::int64_t i = 0; i < std::int64_t(organ.rest.inside.size()); ++i)
+      if (organ.rest.inside[std::size_t(i)])
+        near.emplace_back((lattice.centre(lattice.cell(i)) - at).squaredNorm(), i);
+    const std::size_t count = std::min(kHolders, near.size());
+    std::partial_sort(near.begin(), near.begin() + std::ptrdiff_t(count), near.end());
     Holder& holder = holders_.emplace_back();
     double sum = 0;
-    for (const auto& [distance2, cell] : near) {
-      const double weight = 1 - distance2 / (reach * reach);
-      holder.particles.push_back(cell);
-      holder.weights.push_back(weight);
-      sum += weight;
+    for (std::size_t k = 0; k < count; ++k) {
+      holder.particles.push_back(near[k].second);
+      holder.weights.push_back(1 - near[k].first / (kWide * near[count - 1].first));
+      sum += holder.weights.back();
     }
     for (double& weight : holder.weights) weight /= sum;
   }

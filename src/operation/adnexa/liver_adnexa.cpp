@@ -137,7 +137,10 @@ void addGallbladder(LiverAdnexa& to) {
     if (off < 0.001) bed += p, ++count;
     add(to, AdnexaLook::Gallbladder, 0.9 * off / kFree, to.anchors.size(), p);
   }
-  to.anchors.push_back(bed / std::max(1, count));
+  // The bed is hollow, so its middle lies outside the liver.
+  bed /= std::max(1, count);
+  while (builtinLiverDistance(bed) > -0.006) bed -= 0.001 * outwards(bed);
+  to.anchors.push_back(bed);
   for (const Triangle& t : shape.triangles)
     to.mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
