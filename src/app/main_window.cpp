@@ -213,7 +213,12 @@ void MainWindow::tick() {
                              : state.lastTouch[i] >= 0 && state.time - state.lastTouch[i] < kWaits;
     // A scenario's instruments wait in the air between their tasks.
     const bool waits = session_->playing() || session_->showing();
-    left[i] = touches ? LeftTool::Works : waits ? LeftTool::No : LeftTool::TouchesNothing;
+    // Others may work without touching tissue, as suction does.
+    const ToolModel& model = session_->toolModels()[i];
+    const bool holds = !model.hook.empty() || model.kind == "forceps";
+    left[i] = touches || (!waits && !holds) ? LeftTool::Works
+              : waits                       ? LeftTool::No
+                                            : LeftTool::TouchesNothing;
   }
   instruments_->show(heldSaid_, left);
   speaker_.follow(state, session_->toolModels(), tools.pedalling() ? tools.held() : -1);

@@ -13,7 +13,8 @@ class QVBoxLayout;
 
 namespace resect {
 
-// Whether a tool is left at work. TouchesNothing: it is, but has slipped off the tissue.
+// Whether a tool is left at work. TouchesNothing: it is, but has slipped off the tissue that it
+// held.
 enum class LeftTool { No, Works, TouchesNothing };
 
 // One button per instrument, pressed while that instrument is in hand. A button also shows whether

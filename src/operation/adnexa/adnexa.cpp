@@ -49,7 +49,7 @@ void Adnexa::begin(const OperatedOrgan& operated) {
 }
 
 std::vector<Adnexa::Motion> Adnexa::motionsIn(const OperatedOrgan& operated) const {
-  constexpr double kLeast = 0.25;  // share of the tissue that has to be left
+  constexpr double kLeast = 0.7;  // share of the tissue that has to be left
   const Lattice& lattice = operated.organ.rest.lattice;
   std::vector<Motion> motions;
   for (const Holder& holder : holders_) {

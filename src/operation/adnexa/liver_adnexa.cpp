@@ -86,7 +86,10 @@ void addFalciform(LiverAdnexa& to) {
     const Vec3 up = outwards(at);
     to.anchors.push_back(at - 0.004 * up);
     // Highest in front, lower towards the dome; the fold lies over to the left.
-    const double height = kHeight * (1.2 - 0.7 * share) * (1 + 0.35 * wave(along / 0.009)) + kSunk;
+    constexpr double kFades = 0.2;  // share of the line, at the dome
+    const double fading = std::min(1.0, (1 - share) / kFades);
+    const double height =
+        kHeight * fading * (1.2 - 0.7 * share) * (1 + 0.35 * wave(along / 0.009)) + kSunk;
     for (int j = 0; j < kAcross; ++j) {
       const double t = double(j) / (kAcross - 1);
       const double aside = height * (0.35 * t * t + 0.45 * t * wave(along / 0.006 + 5));
