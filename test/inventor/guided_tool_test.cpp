@@ -83,52 +83,48 @@ std::vector<int> holesIn(SoOrganShape& organ) {
   return holes;
 }
 
+// Strokes over the dome and a lobe, along and across: ways from the organ's middle, pixels.
+const std::pair<SbVec2s, SbVec2s> kStrokes[] = {{SbVec2s(-60, 30), SbVec2s(-20, -10)},
+                                                {SbVec2s(-10, 35), SbVec2s(0, -20)},
+                                                {SbVec2s(10, -10), SbVec2s(60, -25)}};
+
+// Draws a stroke with the scalpel. notches: turned at the wheel before it, towards less depth.
+// Returns the largest hole's share of the rims of all holes that are then in the skin.
+double strokeOf(Bench& bench, const std::pair<SbVec2s, SbVec2s>& stroke, int notches) {
+  const auto& [from, to] = stroke;
+  const SbVec2s begin = bench.onOrgan(from[0], from[1]), end = bench.onOrgan(to[0], to[1]);
+  bench.take(kScalpel, begin);
+  for (int i = 0; i < notches; ++i) bench.button(begin, true, SoMouseButtonEvent::BUTTON5);
+  bench.press(begin);
+  bench.draw(begin, end);
+  bench.release(end);
+  bench.waitSeconds(1.2);
+  const std::vector<int> holes = holesIn(*bench.session->room().organ());
+  REQUIRE_FALSE(holes.empty());
+  int corners = 0;
+  for (const int count : holes) corners += count;
+  const double share = double(std::ranges::max(holes)) / corners;
+  MESSAGE(holes.size(), " holes, the largest has ", 100 * share, " % of the rim");
+  return share;
+}
+
 TEST_CASE("a stroke over the dome or a lobe, along or across, opens the skin in one line") {
   for (const double spacing : {0.008, 0.006})
-    for (const auto& [from, to] : {std::pair(SbVec2s(-60, 30), SbVec2s(-20, -10)),
-                                   std::pair(SbVec2s(-10, 35), SbVec2s(0, -20)),
-                                   std::pair(SbVec2s(10, -10), SbVec2s(60, -25))}) {
+    for (const auto& stroke : kStrokes) {
+      CAPTURE(spacing);
       Bench bench(spacing);
-      const SbVec2s begin = bench.onOrgan(from[0], from[1]), end = bench.onOrgan(to[0], to[1]);
-      bench.take(kScalpel, begin);
-      bench.press(begin);
-      bench.draw(begin, end);
-      bench.release(end);
-      bench.waitSeconds(1.2);
-      const std::vector<int> holes = holesIn(*bench.session->room().organ());
-      REQUIRE_FALSE(holes.empty());
-      int corners = 0;
-      for (const int count : holes) corners += count;
-      const double share = double(std::ranges::max(holes)) / corners;
-      MESSAGE("cells of ", 1e3 * spacing, " mm: ", holes.size(), " holes, the largest has ",
-              100 * share, " % of the rim");
-      CHECK(share > 0.4);
+      CHECK(strokeOf(bench, stroke, 0) > 0.4);
       CHECK(bench.cutArea() > 2e-4);
     }
 }
 
 TEST_CASE(
     "the wheel takes the scalpel no shallower than a stroke that opens the skin in one line") {
-  for (const auto& [from, to] : {std::pair(SbVec2s(-60, 30), SbVec2s(-20, -10)),
-                                 std::pair(SbVec2s(-10, 35), SbVec2s(0, -20)),
-                                 std::pair(SbVec2s(10, -10), SbVec2s(60, -25))}) {
+  for (const auto& stroke : kStrokes) {
     Bench bench(0.008);
-    const SbVec2s begin = bench.onOrgan(from[0], from[1]), end = bench.onOrgan(to[0], to[1]);
-    bench.take(kScalpel, begin);
-    for (int i = 0; i < 5; ++i) bench.button(begin, true, SoMouseButtonEvent::BUTTON5);
-    REQUIRE(bench.tools().depth(kScalpel) == doctest::Approx(0.012));
+    CHECK(strokeOf(bench, stroke, 5) > 0.4);
+    CHECK(bench.tools().depth(kScalpel) == doctest::Approx(0.012));
     CHECK(bench.tools().isLeastDeep(kScalpel));
-    bench.press(begin);
-    bench.draw(begin, end);
-    bench.release(end);
-    bench.waitSeconds(1.2);
-    const std::vector<int> holes = holesIn(*bench.session->room().organ());
-    REQUIRE_FALSE(holes.empty());
-    int corners = 0;
-    for (const int count : holes) corners += count;
-    const double share = double(std::ranges::max(holes)) / corners;
-    MESSAGE(holes.size(), " holes, the largest has ", 100 * share, " % of the rim");
-    CHECK(share > 0.4);
   }
 }
 
