@@ -46,6 +46,23 @@
 namespace resect {
 namespace {
 
+LeftTool leftTool(OperatingSession& session, int tool) {
+  constexpr double kWaits = 1, kFelt = 0.01;  // s, N
+  const LiveState& state = session.state();
+  const auto i = std::size_t(tool);
+  if (!session.tools().isLeft(tool) || i >= state.lastTouch.size()) return LeftTool::No;
+  const double touched = state.lastTouch[i];
+  const bool touches =
+      session.showing() ? state.forces[i] > kFelt : touched >= 0 && state.time - touched < kWaits;
+  if (touches) return LeftTool::Works;
+  // A scenario's instruments wait in the air between their tasks.
+  if (session.playing() || session.showing()) return LeftTool::No;
+  // Others may work without touching tissue, as suction does.
+  const ToolModel& model = session.toolModels()[i];
+  const bool holds = !model.hook.empty() || model.kind == "forceps";
+  return holds ? LeftTool::TouchesNothing : LeftTool::Works;
+}
+
 constexpr qint64 kPanelInterval = 150;  // ms between updates of the panels
 
 const char* nameOf(ToolHandling::Hold how) {
@@ -204,22 +221,8 @@ void MainWindow::tick() {
     if (options_.reports) say("left{}", names.empty() ? " nothing" : names);
   }
   const LiveState& state = session_->state();
-  std::vector<LeftTool> left(tools.left().size());
-  for (std::size_t i = 0; i < left.size() && i < state.lastTouch.size(); ++i) {
-    constexpr double kWaits = 1, kFelt = 0.01;  // s, N
-    if (!tools.isLeft(int(i))) continue;
-    const bool touches = session_->showing()
-                             ? state.forces[i] > kFelt
-                             : state.lastTouch[i] >= 0 && state.time - state.lastTouch[i] < kWaits;
-    // A scenario's instruments wait in the air between their tasks.
-    const bool waits = session_->playing() || session_->showing();
-    // Others may work without touching tissue, as suction does.
-    const ToolModel& model = session_->toolModels()[i];
-    const bool holds = !model.hook.empty() || model.kind == "forceps";
-    left[i] = touches || (!waits && !holds) ? LeftTool::Works
-              : waits                       ? LeftTool::No
-                                            : LeftTool::TouchesNothing;
-  }
+  std::vector<LeftTool> left;
+  for (int i = 0; i < tools.toolCount(); ++i) left.push_back(leftTool(*session_, i));
   instruments_->show(heldSaid_, left);
   speaker_.follow(state, session_->toolModels(), tools.pedalling() ? tools.held() : -1);
   if (options_.reports && state.removed != removedSaid_) {
