@@ -2,6 +2,8 @@
 
 #include "organ/edit.h"
 
+#include <array>
+
 #include "arrays.h"
 #include "base/error.h"
 #include "bindings.h"
@@ -11,8 +13,9 @@ namespace resect::python {
 
 namespace {
 
-constexpr const char* kNames[] = {"remove", "sever", "incise", "grip",  "release", "label", "clip",
-                                  "heat",   "clamp", "suck",   "press", "divide",  "tear"};
+constexpr const char* kNames[] = {"remove", "sever",  "incise", "grip",  "release",
+                                  "label",  "clip",   "heat",   "clamp", "suck",
+                                  "press",  "divide", "tear",   "carve"};
 
 template <typename What>
 TissueEdit of(What what, int organ) {
@@ -53,6 +56,17 @@ void bindEdits(py::module_& m) {
           },
           py::arg("cell"), py::arg("spares") = 1.0, organ,
           "Removes a particle. Vessels of at least the radius spares, m, stay.")
+      .def_static(
+          "carve",
+          [](const std::array<double, 3>& from, const std::array<double, 3>& to, double radius,
+             double spares, int o) {
+            return of(Carve{{place(from[0], from[1], from[2]), place(to[0], to[1], to[2]), radius},
+                            spares},
+                      o);
+          },
+          py::arg("start"), py::arg("end"), py::arg("radius"), py::arg("spares") = 1.0, organ,
+          "Takes away the tissue within a radius, m, of a straight line in the tissue at rest. "
+          "Vessels of at least the radius spares, m, stay.")
       .def_static(
           "sever",
           [](std::int64_t cell, int direction, int o) {

@@ -60,6 +60,9 @@ std::vector<std::int64_t> changedCells(const Organ& organ, std::int32_t number,
     if (const auto* incision = std::get_if<Incision>(&edit.what))
       visitCellsIn(lattice, incision->blade.bounds.padded(lattice.spacing.x()),
                    [&](const Vec3i& cell) { cells.push_back(lattice.index(cell)); });
+    if (const auto* carving = std::get_if<Carve>(&edit.what))
+      visitCellsIn(lattice, carving->line.bounds().padded(lattice.spacing.x()),
+                   [&](const Vec3i& cell) { cells.push_back(lattice.index(cell)); });
   }
   std::erase_if(cells, [&](std::int64_t c) { return c < 0 || c >= lattice.cellCount(); });
   std::ranges::sort(cells);

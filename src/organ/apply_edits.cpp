@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "anatomy/vessel_closure.h"
+#include "organ/carving.h"
 #include "organ/incision/strands.h"
 #include "organ/vessel_cords.h"
 #include "tissue/cut_bonds.h"
@@ -28,12 +29,11 @@ struct Application {
   }
   void operator()(const RemoveCell& edit) {
     if (!there(edit.cell) || !to.organ.alive[std::size_t(edit.cell)]) return;
-    const RemovedParticle gone = removeParticle(to.organ, edit.cell);
-    summary.removed += gone.particles;
-    summary.removedVolume += gone.volume;
-    to.tissue->remove(edit.cell);
-    cutVesselsIn(edit);
-    removedCells.push_back(edit.cell);
+    gone(edit.cell, removeParticle(to.organ, edit.cell), edit.spares);
+  }
+  void operator()(const Carve& edit) {
+    for (const std::int64_t cell : carve(to.organ, edit.line))
+      gone(cell, removeCarvedParticle(to.organ, cell), edit.spares);
   }
   void operator()(const SeverBond& edit) {
     if (sever(edit.cell, edit.direction) && to.organ.map && neighbourKind(edit.direction) == 1)
@@ -96,12 +96,16 @@ struct Application {
     severed.push_back({cell, direction});
     return true;
   }
-  void cutVesselsIn(const RemoveCell& edit) {
+  void gone(std::int64_t cell, const RemovedParticle& particle, double spares) {
+    summary.removed += particle.particles;
+    summary.removedVolume += particle.volume;
+    to.tissue->remove(cell);
+    removedCells.push_back(cell);
     if (!to.organ.map) return;
     const Lattice& lattice = to.organ.rest.lattice;
-    const Vec3 centre = lattice.centre(lattice.cell(edit.cell));
+    const Vec3 centre = lattice.centre(lattice.cell(cell));
     cutVessels(to.organ.map->anatomy, to.organ.map->index,
-               {centre - 0.5 * lattice.spacing, centre + 0.5 * lattice.spacing}, edit.spares,
+               {centre - 0.5 * lattice.spacing, centre + 0.5 * lattice.spacing}, spares,
                to.organ.vessels, summary.vessels);
   }
   // The face between a cell and its neighbour.
@@ -134,6 +138,7 @@ EditSummary applyEdits(OperatedOrgan& organ, std::int32_t number, std::span<cons
   if (organ.organ.map && !application.summary.vessels.empty())
     application.summary.slipped =
         slipClips(organ.organ.map->anatomy, application.summary.vessels, organ.organ.vessels);
+  dropRemnants(organ.organ, removedCells);
   partStrands(organ.organ, *organ.tissue, application.severed, application.nearBlades);
   organ.tissue->settle();
   if (organ.organ.map && (!removedCells.empty() || !application.severed.empty() ||

@@ -13,6 +13,7 @@
 
 #include "collision/swept_blade.h"
 #include "geometry/pose.h"
+#include "sph/node_caps.h"
 
 namespace resect {
 
@@ -78,11 +79,18 @@ struct TearBond {
   double spares = 1;
 };
 
+// Takes away tissue along the path of a round instrument, finer than the cells (organ/carving.h).
+// Removes each particle of which less than half is left.
+struct Carve {
+  CarvedLine line;
+  double spares = 1;  // m: vessels with at least this radius are left bare, not cut
+};
+
 struct TissueEdit {
   std::int32_t organ = 0;  // number of the organ in the simulation
   std::int32_t tool = -1;  // number of the tool that made it; -1: none
   std::variant<RemoveCell, SeverBond, Incision, Grip, Release, SetLabel, PlaceClip, Heat,
-               ClampInflow, Suction, Press, DivideVessel, TearBond>
+               ClampInflow, Suction, Press, DivideVessel, TearBond, Carve>
       what;
 };
 

@@ -9,15 +9,23 @@
 namespace resect {
 namespace {
 
-void checkRestored(const Organ& organ) {
+void checkRestored(Organ& organ) {
   bool fits = std::int64_t(organ.alive.size()) == organ.rest.lattice.cellCount() &&
-              organ.fields.fit(organ.rest.lattice) && organ.severed.fit() && organ.iso >= kMinIso &&
-              organ.iso <= kMaxIso;
+              organ.fields.fit(organ.rest.lattice) && organ.severed.fit() &&
+              organ.carved.fit(organ.field.brickCount()) && organ.iso >= kMinIso &&
+              organ.iso <= kMaxIso &&
+              (organ.remnant.empty() || organ.remnant.size() == organ.alive.size());
   for (const std::uint8_t alive : organ.alive) fits = fits && alive <= 1;
+  for (std::size_t c = 0; fits && c < organ.remnant.size(); ++c)
+    fits = organ.remnant[c] + organ.alive[c] <= 1;
   if (!fits)
     throw error(
         "the state does not fit the organ; restore it into the operation that it was saved "
         "from");
+}
+
+bool isRemnant(const std::vector<std::uint8_t>& remnant, std::int64_t cell) {
+  return !remnant.empty() && remnant[std::size_t(cell)] != 0;
 }
 
 }  // namespace
@@ -25,9 +33,14 @@ void checkRestored(const Organ& organ) {
 OperatedOrgan operatedOrgan(std::string name, Organ organ, std::unique_ptr<TissueModel> tissue) {
   if (!tissue) tissue = std::make_unique<StillTissue>(organ.rest.lattice, organ.alive);
   if (tissue->moves()) tissue->setSurface(touchSurface(organ));
-  OperatedOrgan all{std::move(name), std::move(organ), std::move(tissue), {}, {}};
+  OperatedOrgan all{std::move(name), std::move(organ), std::move(tissue), {}, {}, {}};
   renewCords(all);
   return all;
+}
+
+void beginRestore(OperatedOrgan& o) {
+  o.tissue->beginRestore();
+  o.remnantBefore = o.organ.remnant;
 }
 
 void remake(OperatedOrgan& o, bool keepsLook, bool anew) {
@@ -36,13 +49,16 @@ void remake(OperatedOrgan& o, bool keepsLook, bool anew) {
   organ.heat.requireSound();
   o.tissue->endRestore(organ.alive);
   renewCords(o);
+  organ.field.capsRestored(organ.carved);
   std::vector<std::int64_t> changed;  // cells whose particles are gone now, or there again
   for (std::int64_t cell = 0; cell < organ.rest.lattice.cellCount(); ++cell) {
-    const bool there = organ.alive[std::size_t(cell)] != 0;
-    if (!(organ.rest.value[std::size_t(cell)] > 0) || there == (organ.field.cellValue(cell) > 0))
+    const bool there = organ.alive[std::size_t(cell)] != 0 || isRemnant(organ.remnant, cell);
+    if (!(organ.rest.value[std::size_t(cell)] > 0)) continue;
+    const bool drawn = organ.field.cellValue(cell) > 0;
+    if (drawn == there && isRemnant(o.remnantBefore, cell) == isRemnant(organ.remnant, cell))
       continue;
     if (ownerCell(organ.rest, cell) != cell) continue;
-    setParticle(organ, cell, there);
+    if (drawn != there) setParticle(organ, cell, there);
     changed.push_back(cell);
   }
   const std::span<const std::int64_t> touched = updateField(organ);

@@ -24,8 +24,9 @@ struct OperatedOrgan {
   std::string name;
   Organ organ;
   std::unique_ptr<TissueModel> tissue;
-  SurfaceSkin skin;               // used if the tissue moves
-  std::vector<VesselCord> cords;  // the tissue's present cords
+  SurfaceSkin skin;                         // used if the tissue moves
+  std::vector<VesselCord> cords;            // the tissue's present cords
+  std::vector<std::uint8_t> remnantBefore;  // Organ::remnant at the last beginRestore()
 
   // points() gives one point per vertex of the surface's arrays. After Simulation::keepLook(),
   // normals() gives one normal per vertex.
@@ -43,7 +44,7 @@ struct OperatedOrgan {
   }
   template <class Visitor>
   void visitMade(Visitor& v) {
-    v.made(name, tissue, skin, cords);
+    v.made(name, tissue, skin, cords, remnantBefore);
   }
 };
 
@@ -51,6 +52,8 @@ struct OperatedOrgan {
 OperatedOrgan operatedOrgan(std::string name, Organ organ,
                             std::unique_ptr<TissueModel> tissue = nullptr);
 
+// Call before a state is loaded into `organ.organ` and `organ.tissue`.
+void beginRestore(OperatedOrgan& organ);
 // Call after a state was loaded into `organ.organ` and `organ.tissue`. Derives field, surface and
 // skin from the state; if keepsLook is true, also normals and cut shares (isosurface/brick_look.h).
 // anew: if true, the whole surface is meshed again; if false, only the parts that differ from the

@@ -20,14 +20,6 @@ void visitNeighbours(const Lattice& lattice, std::int64_t cell, Visit visit) {
       }
 }
 
-// visit(skin cell) for every skin cell that belongs to the particle.
-template <typename Visit>
-void visitSkin(const Discretization& rest, std::int64_t particle, Visit visit) {
-  visitNeighbours(rest.lattice, particle, [&](std::int64_t n, int) {
-    if (!rest.inside[n] && rest.value[n] > 0 && ownerCell(rest, n) == particle) visit(n);
-  });
-}
-
 }  // namespace
 
 Organ makeOrgan(Discretization cells, const OrganSettings& settings) {
@@ -60,6 +52,8 @@ Organ makeOrgan(Discretization cells, const OrganSettings& settings) {
           std::move(surface),
           std::move(severed),
           std::move(alive),
+          {},
+          {},
           particles,
           0,
           0,
@@ -85,18 +79,24 @@ std::int64_t ownerCell(const Discretization& rest, std::int64_t cell) {
   return owner;
 }
 
+void visitCellsOf(const Discretization& rest, std::int64_t particle,
+                  const std::function<void(std::int64_t)>& visit) {
+  visit(particle);
+  visitNeighbours(rest.lattice, particle, [&](std::int64_t n, int) {
+    if (!rest.inside[n] && rest.value[n] > 0 && ownerCell(rest, n) == particle) visit(n);
+  });
+}
+
 double particleVolume(const Discretization& rest, std::int64_t cell) {
-  double sum = rest.cellVolume(cell);
-  visitSkin(rest, cell, [&](std::int64_t skin) { sum += rest.cellVolume(skin); });
+  double sum = 0;
+  visitCellsOf(rest, cell, [&](std::int64_t part) { sum += rest.cellVolume(part); });
   return sum;
 }
 
 void setParticle(Organ& organ, std::int64_t cell, bool there) {
-  const auto set = [&](std::int64_t c) {
+  visitCellsOf(organ.rest, cell, [&](std::int64_t c) {
     organ.field.setCellValue(c, there ? organ.rest.value[std::size_t(c)] : 0);
-  };
-  set(cell);
-  visitSkin(organ.rest, cell, set);
+  });
 }
 
 RemovedParticle removeParticle(Organ& organ, std::int64_t cell) {
@@ -110,7 +110,7 @@ RemovedParticle removeParticle(Organ& organ, std::int64_t cell) {
   return gone;
 }
 
-std::span<const std::int64_t> updateField(Organ& organ) { return organ.field.update(); }
+std::span<const std::int64_t> updateField(Organ& organ) { return organ.field.update(organ.carved); }
 
 std::int64_t incise(Organ& organ, const SweptBlade& blade, CutsBetweenCells cuts) {
   return severAtRest(organ.severed, organ.field, blade, cuts);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "organ/cell_fields.h"
 #include "sph/colour_field.h"
 #include "sph/discretization.h"
+#include "sph/node_caps.h"
 #include "surface/surface_tracker.h"
 #include "wound/blade_raster.h"
 
@@ -44,10 +46,13 @@ struct Organ {
   SurfaceTracker surface;
   SeveredEdges severed;             // grid edges severed by blades and tears
   std::vector<std::uint8_t> alive;  // per cell: 1 where there is a particle now
-  std::int64_t particles = 0;       // number of particles now
-  std::int64_t removed = 0;         // number of particles removed since the organ was made
-  double removedVolume = 0;         // volume removed since the organ was made, m^3
-  float iso = 50;                   // iso level of the surface
+  NodeCaps carved;                  // where instruments have carved (organ/carving.h)
+  // Per cell: 1 where carving has left the remnant of a particle. Empty: there has been none.
+  std::vector<std::uint8_t> remnant;
+  std::int64_t particles = 0;  // number of particles now
+  std::int64_t removed = 0;    // number of particles removed since the organ was made
+  double removedVolume = 0;    // volume removed since the organ was made, m^3
+  float iso = 50;              // iso level of the surface
   CellFields fields;
   std::shared_ptr<const VesselMap> map;  // vessels at rest; null: none are known
   VesselState vessels;                   // injuries, clips and bared segments
@@ -60,6 +65,7 @@ struct Organ {
   template <class Visitor>
   void visit(Visitor& v) {
     v.perCell("alive", alive, rest.lattice.order());
+    v("carved", carved), v.perCell("remnant", remnant, rest.lattice.order());
     fields.visit(v, rest.lattice.order());
     v("vessels", vessels), v("heat", heat);
     v("severed", severed), v("iso", iso);
@@ -68,6 +74,7 @@ struct Organ {
   template <class Visitor>
   void visitMade(Visitor& v) {
     v.made(rest, field, surface, map);
+    carved.visitMade(v);
   }
 };
 
@@ -80,6 +87,10 @@ Organ makeOrgan(Discretization cells, const OrganSettings& settings);
 // belongs to the fullest of them. If several of them are equally full, it belongs to the particle
 // with the lowest index. A skin cell without a neighbouring particle belongs to itself.
 std::int64_t ownerCell(const Discretization& rest, std::int64_t cell);
+
+// Calls visit(cell) for the particle's cell and for each of its skin cells.
+void visitCellsOf(const Discretization& rest, std::int64_t particle,
+                  const std::function<void(std::int64_t)>& visit);
 
 // Volume of the tissue in a particle and in its skin cells, m^3.
 double particleVolume(const Discretization& rest, std::int64_t cell);

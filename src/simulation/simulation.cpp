@@ -16,6 +16,8 @@ std::vector<OperatedOrgan> one(Organ organ, std::unique_ptr<TissueModel> tissue)
   return organs;
 }
 
+constexpr double kLongestCarving = 1, kWidestCarving = 0.1;  // m, by one edit
+
 double shareOf(double value) { return std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 0; }
 
 }  // namespace
@@ -119,6 +121,13 @@ void Simulation::requireSound(const FrameInput& input) const {
                     what.cell, cells - 1);
         },
         edit.what);
+    if (const auto* carving = std::get_if<Carve>(&edit.what)) {
+      const CarvedLine& line = carving->line;
+      require(line.from.allFinite() && line.to.allFinite() && line.radius >= 0 &&
+                  line.radius <= kWidestCarving && (line.to - line.from).norm() <= kLongestCarving,
+              "an edit carves {} m long with a radius of {} m; give at most {} and {} m",
+              (line.to - line.from).norm(), line.radius, kLongestCarving, kWidestCarving);
+    }
     const auto* grip = std::get_if<Grip>(&edit.what);
     require(!grip || isFinite(grip->pose),
             "tool {} grips in a pose that is not a number; give a finite one", edit.tool);

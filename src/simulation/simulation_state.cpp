@@ -41,7 +41,7 @@ void Simulation::restore(std::span<const std::byte> bytes) {
 void Simulation::load(const SavedState& state) {
   // What was left half done, a step or a restore, is made anew; else only what differs.
   const bool anew = std::exchange(halfDone_, true);
-  for (OperatedOrgan& o : organs_) o.tissue->beginRestore();
+  for (OperatedOrgan& o : organs_) beginRestore(o);
   loadState(*this, state);
   for (const TissueJoint& joint : joints_) requireSound(joint);
   for (const ToolState& tool : tools_)

@@ -211,7 +211,6 @@ void ColourField::setCellValue(std::int64_t cell, float value) {
   const std::int64_t at = cells_.index(c);
   if (cells_.value(at) == value) return;
   cells_.set(at, value);
-  if (pendingOf_.empty()) pendingOf_.assign(slotOf_.size(), 0);
   // Nodes nearer than two cells change; a dependent vertex lies up to one node below them, and its
   // normal reads one node more in either direction.
   const int reach = 2 * refine_;
@@ -231,12 +230,48 @@ void ColourField::setCellValue(std::int64_t cell, float value) {
     for (int y = low.y(); y <= high.y(); ++y) {
       const unsigned planes = changed[1][y - low.y()] != 0 ? changed[2][z - low.z()] : 0;
       const std::int64_t row = brickIndex({0, y, z});
-      for (int x = low.x(); x <= high.x(); ++x) {
-        std::uint8_t& pending = pendingOf_[row + x];
-        if (pending == 0) pending_.push_back(row + x);
-        pending |= std::uint8_t(kPending | (changed[0][x - low.x()] != 0 ? planes : 0));
-      }
+      for (int x = low.x(); x <= high.x(); ++x)
+        touch(row + x, changed[0][x - low.x()] != 0 ? planes : 0);
     }
+}
+
+// planes: those to be evaluated.
+void ColourField::touch(std::int64_t brick, unsigned planes) {
+  if (pendingOf_.empty()) pendingOf_.assign(slotOf_.size(), 0);
+  std::uint8_t& pending = pendingOf_[std::size_t(brick)];
+  if (pending == 0) pending_.push_back(brick);
+  pending |= std::uint8_t(kPending | planes);
+}
+
+void ColourField::capsChanged(const Vec3i& low, const Vec3i& high) {
+  // Vertices and normals depend on nodes as setCellValue() says.
+  const Vec3i first = ((low - Vec3i::Constant(2)).cwiseMax(0)) / kBrickNodes,
+              last = ((high + Vec3i::Ones()) / kBrickNodes).cwiseMin(brickDims_ - Vec3i::Ones());
+  for (int z = first.z(); z <= last.z(); ++z)
+    for (int y = first.y(); y <= last.y(); ++y)
+      for (int x = first.x(); x <= last.x(); ++x) touch(brickIndex({x, y, z}), kAllPlanes);
+}
+
+void ColourField::capsRestored(const NodeCaps& caps) {
+  const auto changed = [&](std::span<const std::int32_t> bricks) {
+    for (const std::int32_t b : bricks) {
+      const Vec3i low = kBrickNodes * brick(b);
+      capsChanged(low, low + Vec3i::Constant(kBrickNodes - 1));
+    }
+  };
+  changed(capped_), changed(caps.bricks());
+  capped_.clear();
+}
+
+// Whether the surface may run through grid cells of the brick because of caps.
+bool ColourField::cappedNear(const Vec3i& b, const NodeCaps& caps) const {
+  if (caps.empty()) return false;
+  const Vec3i high = (b + Vec3i::Ones()).cwiseMin(brickDims_ - Vec3i::Ones());
+  for (int z = b.z(); z <= high.z(); ++z)
+    for (int y = b.y(); y <= high.y(); ++y)
+      for (int x = b.x(); x <= high.x(); ++x)
+        if (caps.of(brickIndex({x, y, z}))) return true;
+  return false;
 }
 
 std::int32_t ColourField::takeSlot() {
@@ -249,7 +284,7 @@ std::int32_t ColourField::takeSlot() {
   return s;
 }
 
-std::span<const std::int64_t> ColourField::update() {
+std::span<const std::int64_t> ColourField::update(const NodeCaps& caps) {
   // Kept until all are evaluated: the evaluation can be stopped (base/stop.h).
   std::sort(pending_.begin(), pending_.end());
   pending_.erase(std::unique(pending_.begin(), pending_.end()), pending_.end());
@@ -265,7 +300,8 @@ std::span<const std::int64_t> ColourField::update() {
       if (s >= 0) originals_.insert(originals_.end(), values(s).begin(), values(s).end());
     }
     const PaddedCells::Held now = held(brick(b));
-    if (now == PaddedCells::Held::Mixed) {
+    if (now == PaddedCells::Held::Mixed ||
+        (now == PaddedCells::Held::All && cappedNear(brick(b), caps))) {
       if (s < 0) {
         s = takeSlot();
         pendingOf_[b] |= kAllPlanes;
@@ -280,11 +316,16 @@ std::span<const std::int64_t> ColourField::update() {
       const std::int64_t b = touched_[i];
       const unsigned planes = pendingOf_[b] & kAllPlanes;
       pendingOf_[b] = 0;
-      if (slotOf_[b] >= 0 && planes != 0)
-        evaluate(brick(b), planes, values_.data() + firstNode(slotOf_[b]));
+      if (slotOf_[b] < 0 || planes == 0) continue;
+      float* nodes = values_.data() + firstNode(slotOf_[b]);
+      evaluate(brick(b), planes, nodes);
+      if (const NodeCaps::Brick* cap = caps.of(b))
+        for (std::size_t n = 0; n < kBrickSize; ++n) nodes[n] = std::min(nodes[n], (*cap)[n] / 2.f);
     }
   });
   pending_.clear();
+  if (capped_.size() != caps.bricks().size())
+    capped_.assign(caps.bricks().begin(), caps.bricks().end());
   return touched_;
 }
 
@@ -302,7 +343,7 @@ std::size_t ColourField::bytes() const {
   return cells_.bytes() + (values_.capacity() + originals_.capacity()) * sizeof(float) +
          (slotOf_.capacity() + builtBricks_.capacity() + originalOf_.capacity()) *
              sizeof(std::int32_t) +
-         pendingOf_.capacity();
+         pendingOf_.capacity() + capped_.capacity() * sizeof(std::int32_t);
 }
 
 }  // namespace resect

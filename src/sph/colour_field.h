@@ -17,6 +17,8 @@
 // reach are evaluated again. So the field depends on the present cells alone, bit for bit. The cost
 // of a change depends on the number of these bricks, not on the size of the organ. The first change
 // also writes 5 bytes for each brick of the grid.
+//
+// Where an instrument has carved, the field at a node is at most the node's cap (sph/node_caps.h).
 #pragma once
 
 #include <array>
@@ -29,6 +31,7 @@
 #include "geometry/aabb.h"
 #include "sph/discretization.h"
 #include "sph/field_stencil.h"
+#include "sph/node_caps.h"
 #include "sph/padded_cells.h"
 
 namespace resect {
@@ -103,13 +106,18 @@ class ColourField {
   }
   // Sets a cell's colour value, in [0, 100]. The next update() evaluates the field again.
   void setCellValue(std::int64_t cell, float value);
-  // Evaluates the bricks in reach of the cells that were set since the last update(). Returns these
-  // bricks, in ascending order, each once. A returned brick may have no changed node: a vertex or
-  // normal of the brick then depends on a changed node of another brick. The span is valid until
-  // the next call.
-  std::span<const std::int64_t> update();
+  // The nodes from low to high have other caps: the next update() evaluates the field again.
+  void capsChanged(const Vec3i& low, const Vec3i& high);
+  // All caps may be others than at the last update(), since a state was restored.
+  void capsRestored(const NodeCaps& caps);
+  // Evaluates the bricks in reach of the cells and caps that were changed since the last update().
+  // Returns these bricks, in ascending order, each once. A returned brick may have no changed node:
+  // a vertex or normal of the brick then depends on a changed node of another brick. The span is
+  // valid until the next call. caps: of all nodes, the same at each call but for what
+  // capsChanged() and capsRestored() told.
+  std::span<const std::int64_t> update(const NodeCaps& caps = NodeCaps());
 
-  // Whether a cell in reach of the brick's nodes was changed since the field was built.
+  // Whether a cell in reach of the brick's nodes, or a cap, was changed since the field was built.
   bool edited(std::int64_t brick) const {
     return !originalOf_.empty() && originalOf_[brick] != kUnedited;
   }
@@ -160,6 +168,8 @@ class ColourField {
   int highestCell(int brick) const;
   PaddedCells::Held held(const Vec3i& brick) const;
   void evaluate(const Vec3i& brick, unsigned planes, float* out) const;
+  bool cappedNear(const Vec3i& brick, const NodeCaps& caps) const;
+  void touch(std::int64_t brick, unsigned planes);
   std::int32_t takeSlot();
 
   Lattice lattice_;
@@ -181,6 +191,7 @@ class ColourField {
   std::vector<std::uint8_t> pendingOf_;
   std::vector<std::int64_t> pending_;  // bricks in reach of cells set since the last update
   std::vector<std::int64_t> touched_;  // result of the last update
+  std::vector<std::int32_t> capped_;   // bricks that had caps at the last update
 };
 
 }  // namespace resect

@@ -124,7 +124,8 @@ TEST_CASE("inputs of frames come back from their bytes") {
                  {0, 2, RemoveCell{18, 0.0005}},
                  {0, 1, Press{Vec3(4, 5, 6), 0.02, 1500, 4e-6}},
                  {0, -1, DivideVessel{3, 0.75}},
-                 {0, -1, TearBond{4, 3, 0.001}}};
+                 {0, -1, TearBond{4, 3, 0.001}},
+                 {0, 1, Carve{{Vec3(1, 2, 3), Vec3(3, 2, 1), 0.004}, 0.0005}}};
   const auto again = [&](const FrameInput& last) {
     return frameToBytes(frameFromBytes(frameToBytes(input, last), last), last);
   };

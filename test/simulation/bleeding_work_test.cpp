@@ -34,7 +34,12 @@ class RandomEdits {
     const std::int32_t segment =
         random_.below(int(simulation_.organ().map->anatomy.segments.size()));
     const int what = random_.below(400);
-    if (what < 16) add(RemoveCell{cell});
+    if (what < 12) add(RemoveCell{cell});
+    if (what >= 12 && what < 16) {
+      const Vec3 from = lattice.centre(lattice.cell(cell));
+      const double along = random_.uniform(-0.01, 0.01);
+      add(Carve{{from, from + Vec3(along, 0.003, -along), random_.uniform(0.002, 0.008)}});
+    }
     if (what == 16) add(SeverBond{cell, random_.below(26)});
     if (what == 17) add(Incision{blade(lattice.centre(lattice.cell(cell)))});
     if (what == 18) add(DivideVessel{segment, random_.uniform()});

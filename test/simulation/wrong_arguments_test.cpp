@@ -112,7 +112,7 @@ TEST_CASE(
   };
   const int cells = kDims.prod();
   const auto what = [&]() -> decltype(TissueEdit::what) {
-    switch (random.below(6)) {
+    switch (random.below(7)) {
       case 0:
         return RemoveCell{whole(cells)};
       case 1:
@@ -127,6 +127,8 @@ TEST_CASE(
         return Grip{whole(cells), pose()};
       case 4:
         return Release{};
+      case 5:
+        return Carve{{place(), place(), number()}, number()};
       default:
         return SetLabel{whole(cells), std::uint8_t(random.below(256))};
     }

@@ -238,8 +238,8 @@ def bare_clip_divide():
     aspirator = Path3(handle=(0.1, 0.9, 0.42), edge=(0, -0.42, 0.9), speed=0.3)
     aspirator.wait(0.6)
     aspirator.to(0.03, 0.16, 0.1).to(0.004, 0.055, 0.014)
-    for layer, height in enumerate((0.034, 0.030, 0.026, 0.023)):
-        ends = (0.011, -0.011) if layer % 2 else (-0.011, 0.011)
+    for layer, height in enumerate((0.034, 0.030, 0.026, 0.022, 0.020)):
+        ends = (0.013, -0.013) if layer % 2 else (-0.013, 0.013)
         for k in range(5):
             way = ends[0] + (ends[1] - ends[0]) * k / 4
             x, z = (TRIBUTARY[a] + ALONG[a] * way for a in (0, 2))

@@ -46,7 +46,7 @@ struct StateColumn {
   std::vector<CellOrder> orders;
 };
 
-inline constexpr std::uint32_t kStateVersion = 5;
+inline constexpr std::uint32_t kStateVersion = 6;
 
 struct SavedState {
   std::uint32_t version = kStateVersion;

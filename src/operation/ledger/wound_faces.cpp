@@ -5,9 +5,22 @@
 #include <limits>
 
 #include "base/stop.h"
+#include "organ/carving.h"
 
 namespace resect {
 namespace {
+
+// Whether tissue was carved away that lay at the node nearest to a point one node in front of a
+// face.
+bool carvedBefore(const Organ& organ, const Vec3& middle, const Vec3& normal) {
+  const ColourField& field = organ.field;
+  if (organ.carved.empty()) return false;
+  const Vec3 first = field.nodePosition(Vec3::Zero()),
+             side = field.nodePosition(Vec3::Ones()) - first;
+  const Vec3 at = (middle - first).cwiseQuotient(side) + normal;
+  const Vec3i node = at.array().round().cast<int>();
+  return capAt(organ, node) < organ.iso && field.originalNode(node) >= organ.iso;
+}
 
 // Whether tissue was removed that lay three quarters of a cell in front of a face.
 bool removedBefore(const Organ& organ, const Vec3& middle, const Vec3& normal) {
@@ -33,7 +46,8 @@ void visitFaces(const Organ& organ, std::int64_t brick, Visit visit) {
     const Vec3 cross = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
     const double length = cross.norm();
     if (length > 0 &&
-        (lip || removedBefore(organ, (corners[0] + corners[1] + corners[2]) / 3, cross / length)))
+        (lip || removedBefore(organ, (corners[0] + corners[1] + corners[2]) / 3, cross / length) ||
+         carvedBefore(organ, (corners[0] + corners[1] + corners[2]) / 3, cross / length)))
       visit(corners, lip, 0.5 * length);
   });
 }

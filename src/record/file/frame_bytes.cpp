@@ -116,6 +116,9 @@ void write(Writer& to, const DivideVessel& e) { to.plain(e.segment), to.plain(e.
 void write(Writer& to, const TearBond& e) {
   to.plain(e.cell), to.plain(e.direction), to.plain(e.spares);
 }
+void write(Writer& to, const Carve& e) {
+  to.vec(e.line.from), to.vec(e.line.to), to.plain(e.line.radius), to.plain(e.spares);
+}
 
 void read(Reader& from, RemoveCell& e) {
   e.cell = from.plain<std::int64_t>();
@@ -170,6 +173,11 @@ void read(Reader& from, TearBond& e) {
   e.cell = from.plain<std::int64_t>();
   e.direction = from.plain<std::int32_t>();
   e.spares = from.plain<double>();
+}
+
+void read(Reader& from, Carve& e) {
+  e.line.from = from.vec(), e.line.to = from.vec();
+  e.line.radius = from.plain<double>(), e.spares = from.plain<double>();
 }
 
 using EditKind = decltype(TissueEdit::what);

@@ -13,7 +13,8 @@ int cuttingTool(const StepReport& report) {
   const auto look = [&](const std::vector<TissueEdit>& edits) {
     for (const TissueEdit& edit : edits)
       if (edit.tool >= 0 && (std::holds_alternative<Incision>(edit.what) ||
-                             std::holds_alternative<RemoveCell>(edit.what)))
+                             std::holds_alternative<RemoveCell>(edit.what) ||
+                             std::holds_alternative<Carve>(edit.what)))
         tool = edit.tool;
   };
   look(report.edits), look(report.caused);
