@@ -68,6 +68,9 @@ class Edit:
     @staticmethod
     def remove(cell: int, spares: float = 1.0, organ: int = 0) -> Edit: ...
     @staticmethod
+    def carve(start: Sequence[float], end: Sequence[float], radius: float, spares: float = 1.0, organ: int = 0) -> Edit:
+        """What lies within a radius, m, of a straight line in the tissue at rest."""
+    @staticmethod
     def sever(cell: int, direction: int, organ: int = 0) -> Edit: ...
     @staticmethod
     def tear(cell: int, direction: int, spares: float = 0.001, organ: int = 0) -> Edit: ...
