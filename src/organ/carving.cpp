@@ -92,8 +92,9 @@ std::vector<std::int64_t> carve(Organ& organ, const CarvedLine& line) {
     const double cap =
         kMiddle + kSlope * line.distance(field.nodePosition(node.cast<double>())) / spacing;
     const auto halves = std::uint8_t(std::lround(2 * std::clamp(cap, 0.0, 100.0)));
-    // The field never rises, so a cap above it would never matter.
-    if (field.node(node) <= halves / 2.f) continue;
+    // The field never rises, so a cap far above it would never matter.
+    const float now = field.node(node);
+    if (now <= 0 || now + kCapBlend <= halves / 2.f) continue;
     if (!organ.carved.lower(field.brickIndex(node / kBrickNodes), placeInBrick(node), halves,
                             field.brickCount()))
       continue;

@@ -320,7 +320,9 @@ std::span<const std::int64_t> ColourField::update(const NodeCaps& caps) {
       float* nodes = values_.data() + firstNode(slotOf_[b]);
       evaluate(brick(b), planes, nodes);
       if (const NodeCaps::Brick* cap = caps.of(b))
-        for (std::size_t n = 0; n < kBrickSize; ++n) nodes[n] = std::min(nodes[n], (*cap)[n] / 2.f);
+        for (std::size_t n = 0; n < kBrickSize; ++n)
+          if ((planes >> n / 16 & 1) && (*cap)[n] < NodeCaps::kNone)
+            nodes[n] = capped(nodes[n], (*cap)[n] / 2.f);
     }
   });
   pending_.clear();

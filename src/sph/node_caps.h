@@ -8,10 +8,13 @@
 // where d is the node's distance from the line, and keeps the lower one of this cap and an earlier
 // one. So the surface at the iso level 50 lies on the instrument's path, to about a twentieth of
 // the nodes' spacing, whatever the cells are (docs/decisions/0027-fine-bites-by-caps.md). At other
-// iso levels it lies up to two nodes beside it.
+// iso levels it lies up to two nodes beside it. Where the groove meets the skin, the edge is
+// rounded off (capped()): a sharp edge is finer than the nodes, and would have teeth.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,6 +32,15 @@ struct CarvedLine {
   double distance(const Vec3& point) const;  // from the carved surface, m; negative: carved
   Aabb bounds() const;                       // of what is carved
 };
+
+// Value and cap that differ by at least this much do not change each other.
+inline constexpr float kCapBlend = 50;
+// The lower one of a node's value and its cap, and less where they differ by less than kCapBlend: a
+// smooth minimum (a polynomial of the second degree, https://iquilezles.org/articles/smin). >= 0.
+inline float capped(float value, float cap) {
+  const float close = std::max(kCapBlend - std::abs(value - cap), 0.f);
+  return std::max(std::min(value, cap) - close * close / (4 * kCapBlend), 0.f);
+}
 
 class NodeCaps {
  public:

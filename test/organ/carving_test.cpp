@@ -132,7 +132,7 @@ TEST_CASE("the particles that go have the volume that the surface loses, where m
       }
     const double surface = before - volumeOf(organ);
     MESSAGE("particles ", 1e6 * organ.removedVolume, " ml, surface ", 1e6 * surface, " ml");
-    CHECK(std::abs(organ.removedVolume / surface - 1) < 0.09);
+    CHECK(std::abs(organ.removedVolume / surface - 1) < 0.11);
   }
 }
 

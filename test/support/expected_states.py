@@ -26,9 +26,9 @@ ELASTIC = {
     "drop": "2fc2542281657f87",
     "bleed": "97c1ea8e2de782a9",
     "stop-bleeding": "2eb65cdc44de7f64",
-    "transect": "19f8ad9c4a166579",
-    "bare-clip-divide": "0213328c4b3df234",
+    "transect": "37e5d08f80fe8543",
+    "bare-clip-divide": "f4e7872c86b793e7",
     "pringle": "cb6a90d198526d1f",
-    "cautery": "62746b37b3416dc4",
+    "cautery": "168b477ccf27d08f",
     "grasp": "dfcecded0e9e2259",
 }

@@ -253,7 +253,7 @@ def bare_clip_divide():
     clip.wait(bipolar.time - 0.6)
     clip.to(0.03, 0.18, 0.1)
     for x, y, z in CLIPPED:
-        clip.to(x, y + 0.025, z, speed=0.2).to(x, y, z, speed=0.08).jaws(1.0, 0.3).jaws(0.0, 0.3)
+        clip.to(x, y + 0.025, z, speed=0.2).to(x, y + 0.002, z, speed=0.08).jaws(1.0, 0.3).jaws(0.0, 0.3)
         clip.to(x, y + 0.025, z, speed=0.1)
     clip.to(0.03, 0.18, 0.1)
     scissors = Path3(handle=(-0.2, 0.95, 0.25), edge=(0.41, 0, -0.89), speed=0.3)

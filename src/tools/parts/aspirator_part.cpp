@@ -21,15 +21,22 @@ void AspiratorPart::act(const Touch& touch, std::vector<TissueEdit>& edits) cons
   const Vec3 tip = touch.way.to.pose * touch.model.tip,
              from = touch.way.from.pose * touch.model.tip;
   if (touch.organNumber == 0) edits.push_back(touch.edit(Suction{tip, kSucksWithin, kRate}));
-  const std::optional<Vec3> to = restPlace(touch.organ, touch.tissue, tip);
-  if (!to) return;
-  const double spacing = touch.organ.rest.lattice.spacing.x();
-  // Tissue that has just come to the tip is carved at the tip only: where it lies at rest, the way
-  // of the tip may lead through other tissue.
-  const std::optional<Vec3> before = restPlace(touch.organ, touch.tissue, from);
-  const bool together = before && (*before - *to).norm() <= (from - tip).norm() + spacing;
-  edits.push_back(touch.edit(
-      Carve{{together ? *before : *to, *to, std::max(kReach, kReachCells * spacing)}, kSpares}));
+  const double spacing = touch.organ.rest.lattice.spacing.x(),
+               reach = std::max(kReach, kReachCells * spacing);
+  // What lies between the tip and the handle goes too: no thin lip hangs over the groove.
+  for (const double back : {0.0, reach}) {
+    const auto at = [&](const Pose& pose, const Vec3& place) {
+      return restPlace(touch.organ, touch.tissue,
+                       place + back * (pose.rotation * touch.model.axis));
+    };
+    const std::optional<Vec3> to = at(touch.way.to.pose, tip);
+    if (!to) return;
+    // Tissue that has just come to the tip is carved at the tip only: where it lies at rest, the
+    // way of the tip may lead through other tissue.
+    const std::optional<Vec3> before = at(touch.way.from.pose, from);
+    const bool together = before && (*before - *to).norm() <= (from - tip).norm() + spacing;
+    edits.push_back(touch.edit(Carve{{together ? *before : *to, *to, reach}, kSpares}));
+  }
 }
 
 }  // namespace resect
