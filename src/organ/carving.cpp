@@ -11,16 +11,6 @@ constexpr double kLeastLeft = 0.5;          // of a particle
 
 Vec3 nodeSpacing(const ColourField& field) { return field.lattice().spacing / field.refine(); }
 
-// The nodes in a box (rest space, m), the box of no nodes if it lies beside the grid.
-IndexBox nodesIn(const ColourField& field, const Aabb& box) {
-  const Vec3 origin = field.nodePosition(Vec3::Zero()), side = nodeSpacing(field);
-  const Vec3 last = (field.nodeDims() - Vec3i::Ones()).cast<double>();
-  const auto at = [&](const Vec3& p) -> Vec3 { return (p - origin).cwiseQuotient(side); };
-  const Vec3i low = at(box.min).array().ceil().max(0).min(last.array() + 1).cast<int>(),
-              high = at(box.max).array().floor().max(-1).min(last.array()).cast<int>();
-  return {low, (high - low + Vec3i::Ones()).cwiseMax(0)};
-}
-
 int placeInBrick(const Vec3i& node) { return (node.z() % 4 * 4 + node.y() % 4) * 4 + node.x() % 4; }
 
 // How much of the voxel round a node is left, 0 to 1.
@@ -55,15 +45,20 @@ bool lessThanHalfLeft(const Organ& organ, std::int64_t particle) {
   return left < kLeastLeft * whole;
 }
 
-bool hasNeighbour(const Organ& organ, std::int64_t cell) {
-  const Lattice& lattice = organ.rest.lattice;
+// visit(cell) for the up to six neighbours of a cell in the lattice.
+template <typename Visit>
+void visitNeighbours(const Lattice& lattice, std::int64_t cell, Visit visit) {
   const Vec3i c = lattice.cell(cell);
   for (int a = 0; a < 3; ++a)
-    for (const int d : {-1, 1}) {
-      const Vec3i n = c + d * Vec3i::Unit(a);
-      if (lattice.contains(n) && organ.alive[std::size_t(lattice.index(n))]) return true;
-    }
-  return false;
+    for (const int d : {-1, 1})
+      if (const Vec3i n = c + d * Vec3i::Unit(a); lattice.contains(n)) visit(lattice.index(n));
+}
+
+bool hasNeighbour(const Organ& organ, std::int64_t cell) {
+  bool any = false;
+  visitNeighbours(organ.rest.lattice, cell,
+                  [&](std::int64_t n) { any = any || organ.alive[std::size_t(n)] != 0; });
+  return any;
 }
 
 void dropRemnant(Organ& organ, std::int64_t cell) {
@@ -85,20 +80,21 @@ std::vector<std::int64_t> carve(Organ& organ, const CarvedLine& line) {
   const double spacing = nodeSpacing(field).maxCoeff();
   // Beyond two nodes caps are 100.
   const Aabb box = line.bounds().padded(2 * spacing);
-  const IndexBox nodes = nodesIn(field, box);
-  Vec3i low = nodes.low + nodes.dims, high = nodes.low - Vec3i::Ones();
-  for (std::int32_t i = 0; i < std::int32_t(nodes.count()); ++i) {
-    const Vec3i node = nodes.coordinates(i);
-    const double cap =
-        kMiddle + kSlope * line.distance(field.nodePosition(node.cast<double>())) / spacing;
-    const auto halves = std::uint8_t(std::lround(2 * std::clamp(cap, 0.0, 100.0)));
-    // The field never rises, so a cap far above it would never matter.
-    const float now = field.node(node);
-    if (now <= 0 || now + kCapBlend <= halves / 2.f) continue;
-    if (!organ.carved.lower(field.brickIndex(node / kBrickNodes), placeInBrick(node), halves,
-                            field.brickCount()))
-      continue;
-    low = low.cwiseMin(node), high = high.cwiseMax(node);
+  const IndexBox bricks = field.bricksIn(box);
+  Vec3i low = field.nodeDims(), high = -Vec3i::Ones();
+  for (std::int32_t b = 0; b < std::int32_t(bricks.count()); ++b) {
+    const Vec3i brick = bricks.coordinates(b);
+    for (int k = 0; k < kBrickSize; ++k) {
+      const Vec3i node = kBrickNodes * brick + Vec3i(k % 4, k / 4 % 4, k / 16);
+      const double cap =
+          kMiddle + kSlope * line.distance(field.nodePosition(node.cast<double>())) / spacing;
+      const auto halves = std::uint8_t(std::lround(2 * std::clamp(cap, 0.0, 100.0)));
+      // The field never rises, so a cap far above it would never matter.
+      const float now = field.node(node);
+      if (now <= 0 || now + 2 * kCapBlend <= halves / 2.f) continue;
+      if (!organ.carved.lower(field.brickIndex(brick), k, halves, field.brickCount())) continue;
+      low = low.cwiseMin(node), high = high.cwiseMax(node);
+    }
   }
   if ((high.array() < low.array()).any()) return {};
   organ.field.capsChanged(low, high);
@@ -124,17 +120,12 @@ RemovedParticle removeCarvedParticle(Organ& organ, std::int64_t cell) {
 
 void dropRemnants(Organ& organ, std::span<const std::int64_t> removedCells) {
   if (organ.remnant.empty()) return;
-  const Lattice& lattice = organ.rest.lattice;
+  const auto look = [&](std::int64_t cell) {
+    if (organ.remnant[std::size_t(cell)] && !hasNeighbour(organ, cell)) dropRemnant(organ, cell);
+  };
   for (const std::int64_t removed : removedCells) {
-    const Vec3i c = lattice.cell(removed);
-    const auto look = [&](const Vec3i& at) {
-      if (!lattice.contains(at)) return;
-      const std::int64_t cell = lattice.index(at);
-      if (organ.remnant[std::size_t(cell)] && !hasNeighbour(organ, cell)) dropRemnant(organ, cell);
-    };
-    look(c);
-    for (int a = 0; a < 3; ++a)
-      for (const int d : {-1, 1}) look(c + d * Vec3i::Unit(a));
+    look(removed);
+    visitNeighbours(organ.rest.lattice, removed, look);
   }
 }
 

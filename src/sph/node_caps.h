@@ -34,7 +34,7 @@ struct CarvedLine {
 };
 
 // Value and cap that differ by at least this much do not change each other.
-inline constexpr float kCapBlend = 50;
+inline constexpr float kCapBlend = 25;
 // The lower one of a node's value and its cap, and less where they differ by less than kCapBlend: a
 // smooth minimum (a polynomial of the second degree, https://iquilezles.org/articles/smin). >= 0.
 inline float capped(float value, float cap) {

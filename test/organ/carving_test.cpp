@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "base/random.h"
 #include "geometry/measures.h"
 #include "geometry/primitives.h"
 #include "geometry/topology.h"
 #include "organ/apply_edits.h"
+#include "organ/builtin/builtin_liver.h"
 #include "organ/carving.h"
 #include "organ/discretize.h"
 #include "organ/fit_surface.h"
@@ -119,6 +121,63 @@ TEST_CASE("a groove has the instrument's shape to a tenth of a cell, turned in a
     }
 }
 
+TEST_CASE("caps on the default cells follow the instrument better than finer cells do") {
+  // Decision 27: an instrument is drawn 40 mm over the dome of the liver, a millimetre at a time.
+  struct Trial {
+    double radius, below;  // m: of the instrument; of its middle, below the skin
+  };
+  for (const Trial& trial : {Trial{0.006, 0.003}, Trial{0.0035, 0.002}}) {
+    std::vector<Vec3> way;
+    for (int i = 0; i <= 40; ++i) {
+      Vec3 p(-0.06 + 0.0009 * i, 0.15, 0.01 + 0.00043 * i);
+      while (builtinLiverDistance(p) > 0) p.y() -= 2e-4;
+      way.push_back(p - Vec3(0, trial.below, 0));
+    }
+    const auto off = [&](const Vec3& p) {
+      double least = 1;
+      for (std::size_t i = 1; i < way.size(); ++i)
+        least = std::min(least, CarvedLine{way[i - 1], way[i], trial.radius}.distance(p));
+      return least;
+    };
+    const auto wound = [&](double spacing, int refine, bool caps) {
+      Organ organ = organOf(builtinLiver(), spacing, refine);
+      const double whole = volumeOf(organ);
+      for (std::size_t i = 1; i < way.size(); ++i) {
+        const CarvedLine line{way[i - 1], way[i], trial.radius};
+        if (caps) {
+          carved(organ, line);
+          continue;
+        }
+        visitCellsIn(organ.rest.lattice, line.bounds(), [&](const Vec3i& at) {
+          const std::int64_t cell = organ.rest.lattice.index(at);
+          if (organ.alive[std::size_t(cell)] && line.distance(organ.rest.lattice.centre(at)) <= 0)
+            removeParticle(organ, cell);
+        });
+        updateSurface(organ, updateField(organ));
+      }
+      double squares = 0, most = 0;
+      int count = 0;
+      for (const Vec3& p : organ.surface.mesh().points) {
+        if (builtinLiverDistance(p) > -0.0025 || std::abs(off(p)) > 0.006) continue;
+        squares += off(p) * off(p), ++count;
+        most = std::max(most, std::abs(off(p)));
+      }
+      REQUIRE(count > 20);
+      const double rms = std::sqrt(squares / count);
+      MESSAGE("radius ", 1e3 * trial.radius, " mm, ", std::string(caps ? "caps" : "whole cells"),
+              ", spacing ", 1e3 * spacing, " mm, ", refine, " nodes a cell: off by ", 1e3 * rms,
+              " mm rms, ", 1e3 * most, " mm at most; takes ", 1e6 * (whole - volumeOf(organ)),
+              " ml");
+      return rms;
+    };
+    const double coarse = wound(0.008, 2, false), finer = wound(0.0025, 1, false);
+    wound(0.005, 2, false), wound(0.00125, 1, false);
+    CHECK(finer < coarse);
+    CHECK(wound(0.008, 2, true) < 0.6 * finer);
+    CHECK(wound(0.005, 2, true) < 0.3 * finer);
+  }
+}
+
 TEST_CASE("the particles that go have the volume that the surface loses, where much is carved") {
   for (const double angle : {0.0, 0.4, 0.9}) {
     CAPTURE(angle);
@@ -132,7 +191,7 @@ TEST_CASE("the particles that go have the volume that the surface loses, where m
       }
     const double surface = before - volumeOf(organ);
     MESSAGE("particles ", 1e6 * organ.removedVolume, " ml, surface ", 1e6 * surface, " ml");
-    CHECK(std::abs(organ.removedVolume / surface - 1) < 0.11);
+    CHECK(std::abs(organ.removedVolume / surface - 1) < 0.09);
   }
 }
 

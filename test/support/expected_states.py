@@ -26,9 +26,9 @@ ELASTIC = {
     "drop": "2fc2542281657f87",
     "bleed": "97c1ea8e2de782a9",
     "stop-bleeding": "2eb65cdc44de7f64",
-    "transect": "37e5d08f80fe8543",
-    "bare-clip-divide": "f4e7872c86b793e7",
+    "transect": "0bf18ab261405453",
+    "bare-clip-divide": "c9b7ae7df9900179",
     "pringle": "cb6a90d198526d1f",
-    "cautery": "168b477ccf27d08f",
+    "cautery": "bbd19afbfeefd6f3",
     "grasp": "dfcecded0e9e2259",
 }

@@ -45,9 +45,9 @@ void visitFaces(const Organ& organ, std::int64_t brick, Visit visit) {
                                       points[std::size_t(t[2])].cast<double>()};
     const Vec3 cross = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
     const double length = cross.norm();
-    if (length > 0 &&
-        (lip || removedBefore(organ, (corners[0] + corners[1] + corners[2]) / 3, cross / length) ||
-         carvedBefore(organ, (corners[0] + corners[1] + corners[2]) / 3, cross / length)))
+    if (!(length > 0)) return;
+    const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3, normal = cross / length;
+    if (lip || removedBefore(organ, middle, normal) || carvedBefore(organ, middle, normal))
       visit(corners, lip, 0.5 * length);
   });
 }
