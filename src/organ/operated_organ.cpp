@@ -32,6 +32,9 @@ bool isRemnant(const std::vector<std::uint8_t>& remnant, std::int64_t cell) {
 
 OperatedOrgan operatedOrgan(std::string name, Organ organ, std::unique_ptr<TissueModel> tissue) {
   if (!tissue) tissue = std::make_unique<StillTissue>(organ.rest.lattice, organ.alive);
+  // Still tissue does not open when it is cut, so the blade leaves a gap.
+  constexpr float kStillKerf = 0.5e-3f;  // m
+  organ.kerf = tissue->moves() ? 0 : kStillKerf;
   if (tissue->moves()) tissue->setSurface(touchSurface(organ));
   OperatedOrgan all{std::move(name), std::move(organ), std::move(tissue), {}, {}, {}};
   renewCords(all);

@@ -58,6 +58,7 @@ Organ makeOrgan(Discretization cells, const OrganSettings& settings) {
           0,
           0,
           settings.iso,
+          0,
           std::move(fields),
           nullptr,
           {},
@@ -120,21 +121,21 @@ void updateSurface(Organ& organ, std::span<const std::int64_t> touchedBricks) {
   if (organ.severed.empty())
     organ.surface.update(organ.field, touchedBricks);
   else
-    organ.surface.update(organ.field, touchedBricks, {organ.severed, organ.alive},
+    organ.surface.update(organ.field, touchedBricks, {organ.severed, organ.alive, organ.kerf},
                          organ.severed.update());
 }
 
 void updateRestoredSurface(Organ& organ, std::span<const std::int64_t> touchedBricks) {
   if (organ.iso != organ.surface.iso()) return setIso(organ, organ.iso);
   organ.severed.update();  // all bricks near a wound are meshed, whatever was severed
-  const Wound wound{organ.severed, organ.alive};
+  const Wound wound{organ.severed, organ.alive, organ.kerf};
   organ.surface.updateRestored(organ.field, touchedBricks,
                                organ.severed.empty() ? nullptr : &wound);
 }
 
 void setIso(Organ& organ, float iso) {
   organ.severed.update();  // all bricks are meshed, whatever was severed
-  const Wound wound{organ.severed, organ.alive};
+  const Wound wound{organ.severed, organ.alive, organ.kerf};
   organ.surface.setIso(organ.field, iso, organ.severed.empty() ? nullptr : &wound);
   organ.iso = iso;
 }

@@ -53,6 +53,7 @@ struct Organ {
   std::int64_t removed = 0;    // number of particles removed since the organ was made
   double removedVolume = 0;    // volume removed since the organ was made, m^3
   float iso = 50;              // iso level of the surface
+  float kerf = 0;              // width of the gap that cuts leave, m (wound/wound_brick.h)
   CellFields fields;
   std::shared_ptr<const VesselMap> map;  // vessels at rest; null: none are known
   VesselState vessels;                   // injuries, clips and bared segments

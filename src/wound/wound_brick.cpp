@@ -119,7 +119,8 @@ class BrickCutter {
               nearbyNode(side == kLower ? Vec3i::Zero() : Vec3i(Vec3i::Unit(axis)));
           if (e.kind == EdgeKind::Split && (side == kUpper) == e.lowerInside)
             anchors = nearbyNode(Vec3i(grid().node(e.owner) - inWindow(n)));
-          add(p, side == kLower ? up : Vec3f(-up), 1, n, anchors);
+          const Vec3f normal = side == kLower ? up : Vec3f(-up);
+          add(p, normal, 1, n, anchors, recess(normal));
         }
       }
   }
@@ -139,10 +140,11 @@ class BrickCutter {
         for (int l = 0; l < lines.count; ++l) {
           const FaceLine& line = lines.line[std::size_t(l)];
           if (!line.bent) continue;
-          Vec3f normal = outwards(n, axis, line.end);
-          if (const Vec3f other = outwards(n, axis, line.start); normal.dot(other) > -0.5f)
-            normal += other;
-          addBoth(lines.point, normal, skin, n, line.anchors);
+          LipNormal lip{outwards(n, axis, line.end)};
+          const Vec3f other = outwards(n, axis, line.start);
+          lip.front = lip.normal.dot(other) <= -0.5f;
+          if (!lip.front) lip.normal += other;
+          addBoth(lines.point, lip, skin, n, line.anchors);
         }
       }
   }
@@ -194,8 +196,15 @@ class BrickCutter {
     return node % 3 == kLower ? up : Vec3f(-up);
   }
 
+  // The normal of a vertex as part of a lip, of any length. front: the vertex lies where the two
+  // lips meet, and the normal is that of one of them.
+  struct LipNormal {
+    Vec3f normal = Vec3f::Zero();
+    bool front = false;
+  };
+
   // Normal at a cell's own point: the mean over the lips' points that it is connected with.
-  Vec3f lipNormal(const Vec3i& cell, int point) const {
+  LipNormal lipNormal(const Vec3i& cell, int point) const {
     Vec3f sum = Vec3f::Zero(), any = Vec3f::Zero();
     for (const CellTriangle& t : surface_.triangles) {
       if (t.skin ||
@@ -207,22 +216,29 @@ class BrickCutter {
           sum += any;
         }
     }
-    return sum.norm() > 0.1f ? sum : any;
+    const bool front = !(sum.norm() > 0.1f);
+    return {front ? any : sum, front};
   }
 
+  // How far a lip's vertex is moved into its tissue (Wound::kerf). normal: unit.
+  Vec3f recess(const Vec3f& normal) const { return -0.5f * wound_.kerf * normal; }
+
   // Adds a vertex on the organ's surface with a twin on the lip, or one on the lip alone.
-  void addBoth(const Vec3& p, const Vec3f& lipNormal, bool onSkin, const Vec3i& n,
+  void addBoth(const Vec3& p, const LipNormal& lip, bool onSkin, const Vec3i& n,
                NearbyNodes anchors) {
-    const float length = lipNormal.norm();
-    const Vec3f normal = length > 0 ? Vec3f(lipNormal / length) : Vec3f(0, 1, 0);
-    if (onSkin) addOnSkin(p, n, anchors);
-    add(p, normal, 1, n, anchors);
+    const float length = lip.normal.norm();
+    const Vec3f normal = length > 0 ? Vec3f(lip.normal / length) : Vec3f(0, 1, 0);
+    const Vec3f move = length > 0 && !lip.front ? recess(normal) : Vec3f(0, 0, 0);
+    if (onSkin) addOnSkin(p, n, anchors, move);
+    add(p, normal, 1, n, anchors, move);
     out_.vertices.back().twin = onSkin;
   }
 
-  void add(const Vec3& p, const Vec3f& normal, float cut, const Vec3i& n, NearbyNodes anchors) {
+  // p: in node spacings. move: added to the vertex's position, m.
+  void add(const Vec3& p, const Vec3f& normal, float cut, const Vec3i& n, NearbyNodes anchors,
+           const Vec3f& move) {
     const Vec3 where = p + grid().first.cast<double>();
-    out_.vertices.push_back({field_.nodePosition(where).cast<float>(), normal, cut});
+    out_.vertices.push_back({field_.nodePosition(where).cast<float>() + move, normal, cut});
     bind(p, n, anchors);
   }
 
@@ -252,7 +268,7 @@ class BrickCutter {
 
   // Normal and cut share as on the surface round it: from the field's gradient and its original
   // value.
-  void addOnSkin(const Vec3& p, const Vec3i& n, NearbyNodes anchors) {
+  void addOnSkin(const Vec3& p, const Vec3i& n, NearbyNodes anchors, const Vec3f& move) {
     Vec3f slope = Vec3f::Zero();
     float before = 0;
     bool changed = false;
@@ -276,7 +292,7 @@ class BrickCutter {
     constexpr float kBare = 0.02f;  // from this share on, former tissue is seen and not skin
     const float cut = changed ? cutShare(before, grid().iso) : 0.f;
     add(p, length > 0 ? Vec3f(slope / -length) : Vec3f(0, 1, 0), cut < kBare ? kRimShare : cut, n,
-        anchors);
+        anchors, move);
   }
 
   void bindIsoVertices(const BrickSigns& signs) {

@@ -24,6 +24,9 @@ namespace resect {
 struct Wound {
   const SeveredEdges& severed;
   std::span<const std::uint8_t> particles;  // per lattice cell: 1 if it is a particle
+  // m: width of the gap between the two lips of a cut. Vertices of both lips are moved into their
+  // tissue by half of it. Vertices at the front of a cut, where the lips meet, stay.
+  float kerf = 0;
 };
 
 struct BrickWound {

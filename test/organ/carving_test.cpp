@@ -210,7 +210,7 @@ TEST_CASE("carved in any order, the surface stays closed and equals a rebuild bi
                                                     organ.rest.lattice.spacing.x(), random)}});
       applyEdits(operated, 0, edits, removed);
       updateSurface(organ, updateField(organ));
-      const Wound wound{organ.severed, organ.alive};
+      const Wound wound{organ.severed, organ.alive, organ.kerf};
       const TriangleMesh mesh = organ.surface.mesh();
       const TriangleMesh anew = organ.severed.empty()
                                     ? SurfaceTracker(organ.field, 50).mesh()

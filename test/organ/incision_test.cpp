@@ -74,6 +74,37 @@ TEST_CASE("cut right through, an organ is separate closed bodies whose volumes a
     CHECK(volume(pieces[i - 1].mesh) >= volume(pieces[i].mesh));
 }
 
+TEST_CASE("a cut with a kerf leaves a gap of that width, closed at its front") {
+  constexpr float kKerf = 0.5e-3f;  // m
+  for (const int refine : {1, 2, 3})
+    for (const Vec3& up : {Vec3(0, 0.2, 0), Vec3(0.09, 0.2, 0), Vec3(0.1, 0.2, 0.12)})
+      for (const bool through : {true, false}) {
+        CAPTURE(refine);
+        CAPTURE(up.transpose());
+        CAPTURE(through);
+        Organ organ = makeOrgan(test::blob(20), {refine, 50});
+        const double whole = area(organ.surface.mesh());
+        Vec3 start = middle(organ) + Vec3(0.0011, 0, 0.0007);
+        if (!through) start += up;
+        incise(organ, test::flatBlade(start, Vec3(-0.3 * up.y(), 0.3 * up.x(), 0.2), up));
+        follow(organ);
+        const TriangleMesh shut = organ.surface.mesh();
+        organ.kerf = kKerf;
+        setIso(organ, organ.iso);
+        const TriangleMesh open = organ.surface.mesh();
+        CHECK(test::wrongWith(open) == "");
+        CHECK(open.triangles == shut.triangles);
+        const double cut = 0.5 * (area(shut) - whole);  // m^2
+        CHECK(cut > 2e-4);
+        CHECK((volume(shut) - volume(open)) / (cut * double(kKerf)) ==
+              doctest::Approx(1).epsilon(0.05));
+        double most = 0;
+        for (std::size_t v = 0; v < open.points.size(); ++v)
+          most = std::max(most, (open.points[v] - shut.points[v]).norm());
+        CHECK(most == doctest::Approx(0.5 * double(kKerf)).epsilon(0.01));
+      }
+}
+
 TEST_CASE("bodies of moved tissue are closed at their present places") {
   Organ organ = makeOrgan(test::blob(18), {});
   incise(organ, test::flatBlade(middle(organ) + Vec3(0.0003, 0.0004, 0.0005), Vec3(0.2, 0.01, 0.02),
