@@ -189,7 +189,7 @@ bool ElasticTissue::substep(int number, int count) {
   ++frame_.substeps;
   const bool calm = motionPass(frame_.constants);
   clearPulls();
-  if (calm) cutFaces_.push(state_, frame_.constants.lookAhead);
+  if (calm && settings_.facesTouch) cutFaces_.push(state_, frame_.constants.lookAhead);
   if (calm) contacts_.push(state_, share, dt, frame_.constants.lookAhead);
   if (calm) fronts_.push(rest(), state_, share, dt, frame_.constants.lookAhead);
   return calm;

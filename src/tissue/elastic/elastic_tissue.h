@@ -55,6 +55,9 @@ struct TissueSettings {
   // Greatest number of threads for the two passes; 0: all threads that the program may use. If
   // there are fewer idle cores than threads, the passes are slower than with one thread.
   int threads = 1;
+  // false: the faces of cuts pass through each other. For measurements of what their contact takes.
+  // Not kept in recordings.
+  bool facesTouch = true;
 
   template <class Visitor>
   void visit(Visitor& v) {
