@@ -115,6 +115,7 @@ void OrganOptions::applyTo(Scenario& scenario, const std::string& organ) const {
   if (!organ.empty()) {
     if (first.file != organ) scenario.description.clear();  // it is of the scenario's own organ
     first.file = organ;
+    first.finerIfSmall = scenario.mode != OperationMode::Thesis && spacing.empty();
     first.structures.clear();    // they lie in the organ that is replaced
     scenario.closeUp.reset();    // of the scenario's own organ
     scenario.setting = "table";  // the field was made for a liver; --setting shows it all the same

@@ -16,5 +16,7 @@ inline constexpr double kFewestParticles = 2000;
 // has at least kFewestParticles particles. The side is a multiple of 0.01 mm, from 0.01 to 100 mm.
 // The mesh must be closed and oriented outwards. The cost is that of wallThickness().
 double coarsestCell(const TriangleMesh& surface);
+// The same, but only with the second condition, at the cost of a pass over the triangles.
+double coarsestCellOfMany(const TriangleMesh& surface);
 
 }  // namespace resect

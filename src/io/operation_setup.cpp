@@ -77,7 +77,13 @@ void tellThinWalls(const TriangleMesh& surface, const OrganSource& source, doubl
 Discretization sample(const TriangleMesh& surface, const OrganSource& source,
                       const Progress& progress, std::vector<std::string>* notes) {
   const Aabb box = bounds(surface);
-  const double spacing = source.spacing ? *source.spacing : coarsestCell(surface);
+  double spacing = source.spacing ? *source.spacing : coarsestCell(surface);
+  if (const double many = coarsestCellOfMany(surface); source.finerIfSmall && many < spacing) {
+    spacing = many;
+    if (notes)
+      notes->push_back(fmt::format("a small organ: cells of {} make about {:.0f} particles",
+                                   lengthText(spacing), kFewestParticles));
+  }
   const Lattice lattice =
       source.dims ? latticeForDims(box, *source.dims) : latticeForSpacing(box, spacing);
   if (!source.dims && !source.spacing && notes)
@@ -308,7 +314,7 @@ std::vector<OperatedOrgan> loadOrgans(Scenario& scenario, const ModelReader& rea
     Organ organ = makeOrgan(
         loadCells(source, readModel, progress ? share : Progress(), notes, &place, &surface),
         source.settings);
-    if (!source.spacing && !source.dims)  // what was chosen
+    if (!source.dims && (!source.spacing || source.finerIfSmall))  // what was chosen
       scenario.organs[i].source.spacing = organ.rest.lattice.spacing.x();
     organ.map = vesselsOf(source, place, surface, readModel, notes);
     if (hasWays(scenario))

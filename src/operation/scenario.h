@@ -66,6 +66,9 @@ struct OrganSource {
   double unit = 1;                // metres per unit of the file
   bool repair = false;            // true: holes are closed; false: holes are an error
   std::optional<double> spacing;  // side of a cell, m; give this or dims
+  // true: a small organ gets smaller cells than `spacing`, so that it has at least kFewestParticles
+  // (collision/coarsest_cell.h). `spacing` is then changed. Not kept in recordings.
+  bool finerIfSmall = false;
   std::optional<Vec3i> dims;  // samples along each axis of the bounding box (organ/discretize.h)
   // A particle file contains cells. If `resample` is true, the organ gets new cells, which are made
   // from the surface of the cells in the file. `spacing` or `dims` gives their size.
