@@ -43,12 +43,14 @@ vec3 withCurves(vec3 inside, Patterns at, vec3 p) {
   return mix(inside, vec3(0.050, 0.0035, 0.0045), lumen);
 }
 
-vec3 parenchymaColour(Patterns at, vec4 grain, vec3 p) {
-  vec3 inside = vec3(0.088, 0.0215, 0.0160) * (1.0 + 0.10 * at.broad.x + 0.10 * at.middle.x);
-  // Lobules: paler centres in a darker net, about 1.5 mm.
-  float lobule = at.fine.x + 0.5 * grain.x;
-  inside = mix(inside, vec3(0.150, 0.042, 0.029), 0.50 * smoothstep(0.0, 0.6, lobule));
-  inside = mix(inside, vec3(0.058, 0.0075, 0.0068), 0.55 * smoothstep(0.1, 0.6, -lobule));
+// seen: 0 where lobules are finer than a pixel.
+vec3 parenchymaColour(Patterns at, vec4 lobule, float seen, vec4 grain, vec3 p) {
+  vec3 inside = vec3(0.080, 0.0175, 0.0130) * (1.0 + 0.10 * at.broad.x + 0.10 * at.middle.x);
+  // Lobules: each of its own shade, in a darker net, with a dark vein in the middle.
+  float off = length(lobule.xyz);
+  inside = mix(inside, vec3(0.118, 0.030, 0.021), 0.70 * mix(0.5, smoothstep(-0.5, 0.6, at.fine.x + 0.3 * grain.x) * smoothstep(0.12, 0.30, off), seen));
+  inside = mix(inside, vec3(0.046, 0.0055, 0.0055), 0.50 * mix(0.25, lobule.w, seen));
+  inside = mix(inside, vec3(0.060, 0.0080, 0.0070), 0.6 * seen * (1.0 - smoothstep(0.06, 0.16, off)));
   return vesselBin > 0.0 ? inside : withCurves(inside, at, p);
 }
 
@@ -59,9 +61,9 @@ vec3 parenchymaColour(Patterns at, vec4 grain, vec3 p) {
 Tissue tissueAt(vec3 p, float wide, float share, vec3 base, vec3 n) {
   Patterns at = patternsAt(p, wide);
   // The edge of a cut wanders a little; the capsule there is a thin pale line.
-  float wandering = share + 0.08 * at.middle.x * step(0.02, share);
-  float border = smoothstep(0.42, 0.56, wandering);
-  float pale = smoothstep(0.20, 0.34, wandering) * (1.0 - border);
+  float wandering = share + (0.16 * at.middle.x + 0.14 * at.fine.x) * step(0.02, share);
+  float border = smoothstep(0.34, 0.46, wandering);
+  float pale = smoothstep(0.16, 0.28, wandering) * (1.0 - border);
 
   Tissue t;
   t.cut = border;
@@ -73,9 +75,13 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base, vec3 n) {
 #ifndef PLAIN
   if (border > 0.0) {
     vec4 grain = noise(p * 1000.0) * finer(1000.0 * wide);
-    t.albedo = mix(t.albedo, parenchymaColour(at, grain, p), border);
-    vec3 rough = 0.02 * at.middle.yzw + 0.055 * at.fine.yzw + 0.045 * grain.yzw;
+    vec4 lobule = grains(p * 720.0 + 0.35 * at.fine.yzw);
+    float seen = finer(720.0 * wide);
+    t.albedo = mix(t.albedo, parenchymaColour(at, lobule, seen, grain, p), border);
+    // A torn surface: lobules stand out as grains.
+    vec3 rough = 0.03 * at.middle.yzw + 0.05 * at.fine.yzw + 0.05 * grain.yzw - 0.42 * seen * lobule.xyz;
     t.bumps = mix(t.bumps, rough, border);
+    t.waves += border * (0.10 * at.fine.yzw - 0.25 * seen * lobule.xyz);
     t.wet = mix(t.wet, 0.8, border);
     // Tumours are pale, firm and mottled, with a redder margin; the border has the noise of the tissue.
     float rough_ = 0.10 * at.middle.x + 0.05 * at.fine.x;
@@ -105,7 +111,7 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base, vec3 n) {
     t.albedo = mix(t.albedo, vec3(0.22, 0.115, 0.085), 0.5 * (1.0 - border) * below);
   }
 #endif
-  t.albedo = mix(t.albedo, vec3(0.21, 0.098, 0.074), 0.36 * pale);
+  t.albedo = mix(t.albedo, vec3(0.21, 0.098, 0.074), 0.24 * pale);
   t.albedo = mix(t.albedo, vec3(0.030, 0.0025, 0.003), 0.9 * max(-share, 0.0));  // blood in a rim
 #ifndef PLAIN
   vec2 heat = heatAt(p);
@@ -127,6 +133,7 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base, vec3 n) {
   }
   vec2 blood = bloodAt(p, at.middle.x + 0.5 * at.fine.x, n);
   blood *= 1.0 - 0.85 * smoothstep(0.3, 0.9, heat.x + 0.2 * at.middle.x + 0.15 * at.fine.x);  // boiled away
+  blood.x *= 1.0 - 0.60 * t.cut;  // it runs off a cut face, and the grains stand out of it
   if (blood.x + blood.y > 0.0) {
     t.albedo = underBlood(t.albedo, blood);
     float covered = smoothstep(0.06, 0.5, blood.x), clot = smoothstep(0.05, 0.3, blood.y - blood.x);

@@ -24,7 +24,7 @@ vec3 wetTissue(Tissue t, vec3 n0, float bend, Surroundings around, vec3 eyePosit
   float open = around.open;
   vec3 l0, l1;
   vec3 e0 = lampLight(0, point, l0), e1 = lampLight(1, point, l1), eh = headLight(eyePosition);
-  eh *= 0.35 + 0.65 * open;  // deep in a wound less of it arrives
+  eh *= mix(0.35 + 0.65 * open, 0.75 + 0.25 * open, t.cut);  // the lamp at the eye shines into a wound
 
   // Light under the surface: the more the surface bends, the farther round the terminator it comes,
   // red farthest; and it crosses what is thin.

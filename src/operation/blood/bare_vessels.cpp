@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kRetracts = 1.0e-3;  // m: how far the ends of a divided vessel draw back
 constexpr double kMouth = 0.006;      // m: a clip is seen if the vessel's end is this near to it
+constexpr double kStump = 0.0025;     // m: of a terminal branch, with 1.5 times its radius
 
 double outsideOf(const VesselSegment& s) { return s.radius + wallOf(s.kind, s.radius); }
 
@@ -41,9 +42,12 @@ class VesselTree {
       }
   }
 
-  // The whole wall of a segment, with its ends covered.
-  VesselWall wholeWall(std::int32_t number) const {
-    const VesselSegment& s = segment(number);
+  // The whole wall of a segment, with its ends covered. torn: only a stump of it is left.
+  VesselWall wholeWall(std::int32_t number, bool torn = false) const {
+    VesselSegment s = segment(number);
+    if (torn)
+      s.end =
+          s.start + std::min(1.0, (kStump + 1.5 * outsideOf(s)) / s.length()) * (s.end - s.start);
     VesselWall wall;
     wall.kind = s.kind;
     wall.lumen = s.radius;
@@ -65,7 +69,7 @@ class VesselTree {
       after = between(next.end - next.start, s.end - s.start, 1);
       wall.outsideB = 0.5 * (wall.outside + outsideOf(next));
     }
-    if (s.leaf) wall.outsideB = 0.22 * wall.outside;  // torn from the sinusoids: a thread
+    if (s.leaf) wall.outsideB = 0.45 * wall.outside;
     const double length = s.length();
     wall.rest = {s.start, s.end, length * before.normalized(), length * after.normalized()};
     wall.present = placed(wall.rest);
@@ -104,6 +108,18 @@ class VesselTree {
   std::vector<std::int32_t> widest_;  // for each drawn segment: its widest drawn branch; -1: none
 };
 
+// Whether a terminal branch was torn from the tissue that it supplied, so that a stump is left.
+// Such a branch has no end of its own: where it ends, the smallest vessels begin.
+bool isTorn(const Organ& organ, std::int32_t number) {
+  const VesselSegment& s = organ.map->anatomy.segments[std::size_t(number)];
+  if (!s.leaf || organ.vessels.injury(number)) return false;
+  if (std::ranges::binary_search(organ.vessels.clips, number, {}, &VesselClip::segment))
+    return false;
+  const Lattice& lattice = organ.rest.lattice;
+  const std::optional<Vec3i> cell = lattice.cellAt(s.end);
+  return !cell || !organ.alive[std::size_t(lattice.index(*cell))];
+}
+
 // The segments whose walls are drawn: the bare ones, and those that go on from them. Cells are far
 // larger than vessels, so the tissue may not cover the place where a vessel ceases to be bare.
 // Ascending.
@@ -140,12 +156,12 @@ void addOrgan(BareVessels& all, const OperatedOrgan& operated) {
   const VesselTree tree(operated, drawn);
   const auto& clips = organ.vessels.clips;
   for (const std::int32_t i : drawn) {
-    VesselWall wall = tree.wholeWall(i);
-    const double gap = kRetracts / tree.segment(i).length();
     const auto [first, last] = std::ranges::equal_range(clips, i, {}, &VesselClip::segment);
+    const VesselInjury* injury = organ.vessels.injury(i);
+    VesselWall wall = tree.wholeWall(i, isTorn(organ, i));
+    const double gap = kRetracts / tree.segment(i).length();
     for (auto clip = first; clip != last; ++clip)
       wall.pinches.push_back({clip->share, clip->byHeat});
-    const VesselInjury* injury = organ.vessels.injury(i);
     if (!injury || !injury->severed()) {
       addWall(all.walls, wall);
       continue;
