@@ -118,6 +118,23 @@ TEST_CASE("a stroke over the dome or a lobe, along or across, opens the skin in 
     }
 }
 
+TEST_CASE("a stroke cuts about as deep as is set") {
+  for (const int stroke : {1, 2})
+    for (const int notches : {0, 2}) {
+      Bench bench(0.008);
+      const auto& [from, to] = kStrokes[stroke];
+      const auto begin = bench.session->pointUnder(bench.onOrgan(from[0], from[1]), bench.viewport),
+                 end = bench.session->pointUnder(bench.onOrgan(to[0], to[1]), bench.viewport);
+      REQUIRE((begin && end));
+      const double length = (end->point - begin->point).norm();
+      strokeOf(bench, kStrokes[stroke], notches);
+      const double share = bench.cutArea() / length / bench.tools().depth(kScalpel);
+      MESSAGE("set ", 1e3 * bench.tools().depth(kScalpel), " mm: ", 100 * share, " % of it is cut");
+      CHECK(share > 0.75);
+      CHECK(share < 0.95);
+    }
+}
+
 TEST_CASE(
     "the wheel takes the scalpel no shallower than a stroke that opens the skin in one line") {
   for (const auto& stroke : kStrokes) {

@@ -6,12 +6,13 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "geometry/rotation.h"
+#include "tools/parts/aspirator_part.h"
 
 namespace resect {
 namespace {
 
 constexpr double kUpWay = 0.015;     // m of way over which the normal is averaged
-constexpr double kDescent = 1.5;     // m of depth per m of way, of such an edge
+constexpr double kDescent = 3;       // m of depth per m of way, of such an edge
 constexpr double kStart = 0.002;     // m of way that show the direction of a stroke; then it enters
 constexpr double kStraight = 0.006;  // m of way in which a stroke may still choose its direction
 constexpr double kStill = 1e-6;      // m
@@ -51,7 +52,11 @@ HandStyle handStyleOf(const ToolModel& tool, double spacing) {
     style.seeks = kSeeks;
     style.staysOutside = true;
   } else if (tool.kind == "aspirator") {
-    style = {.upright = 0.8, .forward = -0.6, .hover = 0.006, .depth = 0.004};
+    style = {.upright = 0.8, .forward = -0.6, .hover = 0.006, .depth = 0.008};
+    style.reach = aspiratorReach(spacing);
+    constexpr double kIn = 0.0005;  // m: its tip must touch tissue
+    style.leastDepth = style.reach + kIn;
+    style.depth = std::max(style.depth, style.leastDepth);
   } else if (tool.kind == "forceps") {
     style = {.upright = 0.8, .forward = -0.6, .hover = 0.008, .depth = 0.002};
     style.closesJaws = true;
@@ -207,7 +212,9 @@ Pose poseOf(const SurfaceHand& hand) {
   if (hand.pressing && goesTo)
     depth = 0;
   else if (hand.pressing)
-    depth = style.entersSlowly ? std::min(hand.depth, kDescent * (hand.way - kStart)) : hand.depth;
+    depth =
+        (style.entersSlowly ? std::min(hand.depth, kDescent * (hand.way - kStart)) : hand.depth) -
+        style.reach;
   return {workPoint(hand) + depth * wayIn(hand, handle), Eigen::Quaterniond(axes)};
 }
 

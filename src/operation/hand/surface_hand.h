@@ -27,6 +27,8 @@ struct HandStyle {
   double depth = 0.01;      // m: depth to which the hand presses, unless goDeeper() changes it
   double mostDepth = 0.06;  // m: greatest depth; a blade that is deeper would cut a tunnel
   double leastDepth = 0;    // m: smallest depth; a shallower stroke would leave a row of holes
+  // m: how far beyond its tip the instrument takes tissue. Depths are those to which it takes it.
+  double reach = 0;
   // m: length of motion in which 63 % of the angle between heading and motion disappears; 0: the
   // heading never turns. turnHovering: while hovering; turnPressing: while pressing.
   double turnHovering = 0;

@@ -9,20 +9,22 @@
 namespace resect {
 namespace {
 
-constexpr double kReach = 0.0048;       // m: beyond which tissue is left alone
-constexpr double kReachCells = 0.6;     // of the spacing, in a lattice coarser than 8 mm
 constexpr double kSpares = 0.5e-3;      // m: radius of vessels that stay
 constexpr double kSucksWithin = 0.005;  // m
 constexpr double kRate = 8e-6;          // m^3/s: of blood
 
 }  // namespace
 
+double aspiratorReach(double spacing) {
+  constexpr double kReach = 0.0048, kReachCells = 0.6;  // m; spacings
+  return std::max(kReach, kReachCells * spacing);
+}
+
 void AspiratorPart::act(const Touch& touch, std::vector<TissueEdit>& edits) const {
   const Vec3 tip = touch.way.to.pose * touch.model.tip,
              from = touch.way.from.pose * touch.model.tip;
   if (touch.organNumber == 0) edits.push_back(touch.edit(Suction{tip, kSucksWithin, kRate}));
-  const double spacing = touch.organ.rest.lattice.spacing.x(),
-               reach = std::max(kReach, kReachCells * spacing);
+  const double spacing = touch.organ.rest.lattice.spacing.x(), reach = aspiratorReach(spacing);
   // What lies between the tip and the handle goes too: no thin lip hangs over the groove.
   for (const double back : {0.0, reach}) {
     const auto at = [&](const Pose& pose, const Vec3& place) {

@@ -6,6 +6,10 @@
 
 namespace resect {
 
+// How far from its tip the aspirator takes tissue, m: 4.8 mm, or 0.6 cells if these are larger.
+// spacing: side of a cell, m.
+double aspiratorReach(double spacing);
+
 class AspiratorPart : public WorkingPart {
  public:
   void act(const Touch& touch, std::vector<TissueEdit>& edits) const override;

@@ -57,7 +57,9 @@ TEST_CASE("a blade enters where the hand presses, goes down on its way, and cuts
     CHECK(depthOf(hand, normal) < 0.0015);
     draw(hand, normal, Vec3::Zero(), 0.002 * towards);
     CHECK(depthOf(hand, normal) < 0.006);
-    draw(hand, normal, 0.002 * towards, 0.05 * towards);
+    draw(hand, normal, 0.002 * towards, 0.008 * towards);  // a short stroke is deep enough, too
+    CHECK(depthOf(hand, normal) == doctest::Approx(hand.depth));
+    draw(hand, normal, 0.008 * towards, 0.05 * towards);
     CHECK(depthOf(hand, normal) == doctest::Approx(hand.depth));
     CHECK(hand.heading.dot(towards) > 0.99);
     // The edge, -y of the tool, faces that way, and the handle leans towards it.
@@ -114,6 +116,20 @@ TEST_CASE("a hook is pulled towards its handle, and keeps its direction while it
   const Vec3 heading = hand.heading;
   draw(hand, up, Vec3(0.03, 0, 0), Vec3(0.03, 0, 0.04));
   CHECK((hand.heading - heading).norm() < 1e-9);
+}
+
+TEST_CASE("the depth of an aspirator is that of its groove, below its tip") {
+  ToolModel model;
+  model.kind = "aspirator";
+  for (const double spacing : {0.005, 0.008, 0.012}) {
+    SurfaceHand hand = takeUp(handStyleOf(model, spacing), Vec3::UnitX());
+    pointAt(hand, {Vec3::Zero(), Vec3::UnitY()});
+    press(hand);
+    const double reach = std::max(0.0048, 0.6 * spacing);
+    CHECK(depthOf(hand, Vec3::UnitY()) == doctest::Approx(hand.depth - reach));
+    goDeeper(hand, -1);
+    CHECK(depthOf(hand, Vec3::UnitY()) == doctest::Approx(0.0005));  // it still touches
+  }
 }
 
 TEST_CASE("the wheel presses deeper, within bounds, and turns the edge") {
