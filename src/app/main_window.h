@@ -113,6 +113,7 @@ class MainWindow : public QMainWindow {
   void compareBranches();
   void showProgress(double share, const QString& what);
   void loadDefault();
+  void loadInstead(Scenario scenario);
   void cancelLoading();
   void tick();
   void film(qint64 now);  // now: ms since 1970

@@ -122,14 +122,27 @@ void MainWindow::loadDefault() {
   load(scenario);
 }
 
+// Loads what can be had of a scenario that could not be loaded at the start: its organ without its
+// ligaments, which may have been meant for another organ; if that was tried, the built-in liver.
+void MainWindow::loadInstead(Scenario scenario) {
+  bool held = false;
+  for (ScenarioOrgan& organ : scenario.organs) {
+    held = held || !organ.tissue.attachments.empty();
+    organ.tissue.attachments.clear();
+  }
+  if (held)
+    load(scenario);
+  else if (scenario.organs.size() > 1 || scenario.organs[0].source.file != "liver")
+    loadDefault();
+}
+
 bool MainWindow::begin(OrganLoader::Result result) {
   progress_->hide();
   cancel_->hide();
   statusBar()->clearMessage();
   if (!result.simulation) {
     complain(result.problem);
-    const std::vector<ScenarioOrgan>& organs = result.scenario.organs;
-    if (!session_ && (organs.size() > 1 || organs[0].source.file != "liver")) loadDefault();
+    if (!session_) loadInstead(std::move(result.scenario));
     return false;
   }
   try {

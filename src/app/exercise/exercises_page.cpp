@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSettings>
 #include <QToolButton>
 #include <algorithm>
 
@@ -183,14 +184,15 @@ QWidget* ExercisesPage::makeCard(const Exercise& exercise, const std::vector<His
   column->addWidget(best);
   auto* row = new QHBoxLayout;
   auto* level = new QComboBox(card);
-  const QString key = QString::fromStdString(exercise.file.string());
+  const QString key = "level/" + QString::fromStdString(exercise.name);  // the one chosen last
   for (const TaskLevel one : kTaskLevels)
     level->addItem(translated(std::string(wordOf(one))), int(one));
-  level->setCurrentIndex(levels_.value(key, int(exercise.task.level)));
+  level->setCurrentIndex(QSettings().value(key, int(exercise.task.level)).toInt());
   level->setAccessibleName(Words::tr("Level of %1").arg(translated(exercise.title)));
   level->setToolTip(
       Words::tr("Easy, medium: guidance is shown; hard: none. Limits differ by level"));
-  connect(level, &QComboBox::currentIndexChanged, this, [this, key](int i) { levels_[key] = i; });
+  connect(level, &QComboBox::currentIndexChanged, this,
+          [key](int i) { QSettings().setValue(key, i); });
   row->addWidget(level);
   auto* about = new QPushButton(Words::tr("About"), card);
   about->setAccessibleName(Words::tr("About %1").arg(translated(exercise.title)));

@@ -2,7 +2,6 @@
 // teaches, shows the learner's best result, and has a button that starts the exercise.
 #pragma once
 
-#include <QHash>
 #include <QWidget>
 #include <functional>
 #include <vector>
@@ -51,7 +50,6 @@ class ExercisesPage : public QWidget {
   QWidget* inside_;
   QGridLayout* grid_;
   std::vector<QWidget*> cards_;
-  QHash<QString, int> levels_;  // chosen level of each exercise; key: the exercise's file
   int columns_ = 0;
 };
 

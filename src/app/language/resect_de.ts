@@ -3925,5 +3925,9 @@
         <source>%1   (touches nothing)</source>
         <translation>%1   (berührt nichts)</translation>
     </message>
+    <message>
+        <source>%1 of debris</source>
+        <translation>%1 Reste</translation>
+    </message>
 </context>
 </TS>

@@ -34,6 +34,21 @@ QString bloodText(double bled) {
   return share < 1 ? volume : Words::tr("%1 (%2 %)").arg(volume).arg(share);
 }
 
+// The pieces, and the debris if there is enough of it to be told in tenths of a millilitre.
+QString cutOffText(const Ledger& ledger) {
+  constexpr double kLeastDebris = 0.05e-6;  // m^3
+  const std::int64_t pieces = ledger.pieces();
+  QString text;
+  if (pieces > 0)
+    text = (pieces == 1 ? Words::tr("%1 piece, %2") : Words::tr("%1 pieces, %2"))
+               .arg(pieces)
+               .arg(millilitres(ledger.tissue().pieces.volume));
+  const double debris = ledger.tissue().debris.volume;
+  if (debris < kLeastDebris) return text;
+  const QString crumbs = Words::tr("%1 of debris").arg(millilitres(debris));
+  return text.isEmpty() ? crumbs : text + "; " + crumbs;
+}
+
 }  // namespace
 
 // The VIBe grade in words: its number says nothing to somebody who does not know the scale.
@@ -132,11 +147,7 @@ void OperationPanel::follow(const LiveState& state, int held) {
                                      : QString());
   set(clips_, state.clips.empty() ? QString() : QString::number(state.clips.size()));
   set(removed_, millilitres(state.removedVolume));
-  const std::int64_t pieces = state.ledger ? state.ledger->pieces() : 0;
-  set(pieces_, pieces > 0 ? (pieces == 1 ? Words::tr("%1 piece, %2") : Words::tr("%1 pieces, %2"))
-                                .arg(pieces)
-                                .arg(millilitres(state.ledger->tissue().pieces.volume))
-                          : QString());
+  set(pieces_, state.ledger ? cutOffText(*state.ledger) : QString());
   const double cut = state.ledger ? state.ledger->cut() : 0;
   set(cut_, cut > 0 ? QString("%1 cm\u00b2").arg(cut * 1e4, 0, 'f', 1) : QString());
   set(margin_, state.ledger ? narrowestMargin(*state.ledger) : QString());

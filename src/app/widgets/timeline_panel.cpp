@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "app/language/words.h"
 #include "app/say.h"
@@ -86,7 +87,11 @@ class TimelineBar : public QWidget {
     painter.drawRoundedRect(track, 3, 3);
     const Timeline& timeline = *panel_.timeline_;
     if (timeline.courses.empty()) return;
-    for (const Stroke& stroke : timeline.strokesOn(panel_.branch_)) {
+    // The longest first, so that the strokes of one hand are seen while the other holds.
+    std::vector<Stroke> strokes = timeline.strokesOn(panel_.branch_);
+    std::ranges::stable_sort(strokes, std::greater(),
+                             [](const Stroke& s) { return s.to - s.from; });
+    for (const Stroke& stroke : strokes) {
       painter.setBrush(colourOf(stroke.tool));
       const double from = xOf(stroke.from);
       painter.drawRect(

@@ -1,4 +1,6 @@
 // resect window: interactive operation.
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <memory>
 
@@ -43,9 +45,12 @@ void window(const WindowCommandOptions& options, const OrganOptions& organOption
     window.scenario = readScenario(findScenario(options.scenario));
   else if (options.thesis)
     window.scenario.organs[0].source.spacing = 0.005;
+  const std::string own = window.scenario.organs[0].source.file;
   organOptions.applyTo(window.scenario, options.organ);
-  if (options.scenario.empty() && !options.organ.empty()) {  // its words are about another organ
-    window.scenario.title = fileStem(window.scenario.organs[0].source.file);
+  if (!options.organ.empty() && options.organ != own) {  // its words are about another organ
+    const std::string organ = fileStem(window.scenario.organs[0].source.file);
+    window.scenario.title =
+        options.scenario.empty() ? organ : fmt::format("{}: {}", fileStem(options.scenario), organ);
     window.scenario.description.clear();
   }
   requireSetting(options.setting);
