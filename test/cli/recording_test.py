@@ -53,6 +53,17 @@ class Recordings(unittest.TestCase):
             for time_s in [summary["simulated_s"], played["time_s"], *(event["time_s"] for event in played["events"])]:
                 self.assertLessEqual(len(str(time_s)), len("12.123456789"))
 
+    def test_the_first_picture_of_a_part_shows_the_instruments_at_work(self):
+        file, _ = self.recorded("lift", "--spacing", "12mm")
+        pictures = []
+        for begin in ("3.9", "4"):
+            shown = self.folder / begin
+            replay = resect("replay", file, "--from", begin, "--to", "4", "--frames", shown, "--picture-rate", "10",
+                            "--size", "320x200")
+            self.assertEqual(replay.returncode, 0, replay.stderr)
+            pictures.append(sorted(shown.iterdir())[-1].read_bytes())
+        self.assertEqual(*pictures)
+
     def test_a_wound_that_the_organ_has_at_the_start_is_in_the_recording(self):
         text = (pathlib.Path(__file__).resolve().parents[2] / "data/tasks/control-bleeding.toml").read_text()
         scenario, file = self.folder / "wound.toml", self.folder / "wound.resect"

@@ -66,7 +66,8 @@ OperationView::OperationView(const Scenario& scenario, Simulation& simulation, d
     room_.addOrgan(organColour(scenario.organs[o].source));
   follow(simulation);
   for (const ScenarioTool& tool : scenario.tools) rests_.push_back(tool.rest);
-  for (std::size_t i = 0; i < rests_.size(); ++i) room_.setToolPose(int(i), rests_[i]);
+  if (simulation.frame() == 0)  // no frame has placed the tools yet
+    for (std::size_t i = 0; i < rests_.size(); ++i) room_.setToolPose(int(i), rests_[i]);
   for (const OperatedOrgan& o : simulation.organs()) organs_.grow(o.organ.rest.lattice.box());
   showField(showsField(scenario));
   Aabb box = organs_;
