@@ -49,7 +49,7 @@ vec3 parenchymaColour(Patterns at, vec4 lobule, float seen, vec4 grain, vec3 p) 
   // Lobules: each of its own shade, in a darker net, with a dark vein in the middle.
   float off = length(lobule.xyz);
   inside = mix(inside, vec3(0.118, 0.030, 0.021), 0.70 * mix(0.5, smoothstep(-0.5, 0.6, at.fine.x + 0.3 * grain.x) * smoothstep(0.12, 0.30, off), seen));
-  inside = mix(inside, vec3(0.046, 0.0055, 0.0055), 0.50 * mix(0.25, lobule.w, seen));
+  inside = mix(inside, vec3(0.046, 0.0055, 0.0055), 0.36 * mix(0.25, lobule.w, seen));
   inside = mix(inside, vec3(0.060, 0.0080, 0.0070), 0.6 * seen * (1.0 - smoothstep(0.06, 0.16, off)));
   return vesselBin > 0.0 ? inside : withCurves(inside, at, p);
 }
@@ -61,7 +61,7 @@ vec3 parenchymaColour(Patterns at, vec4 lobule, float seen, vec4 grain, vec3 p) 
 Tissue tissueAt(vec3 p, float wide, float share, vec3 base, vec3 n) {
   Patterns at = patternsAt(p, wide);
   // The edge of a cut wanders a little; the capsule there is a thin pale line.
-  float wandering = share + (0.16 * at.middle.x + 0.14 * at.fine.x) * step(0.02, share);
+  float wandering = share + (0.08 * at.middle.x + 0.14 * at.fine.x) * step(0.02, share);
   float border = smoothstep(0.34, 0.46, wandering);
   float pale = smoothstep(0.16, 0.28, wandering) * (1.0 - border);
 
@@ -111,7 +111,7 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base, vec3 n) {
     t.albedo = mix(t.albedo, vec3(0.22, 0.115, 0.085), 0.5 * (1.0 - border) * below);
   }
 #endif
-  t.albedo = mix(t.albedo, vec3(0.21, 0.098, 0.074), 0.24 * pale);
+  t.albedo = mix(t.albedo, vec3(0.21, 0.098, 0.074), 0.08 * pale);
   t.albedo = mix(t.albedo, vec3(0.030, 0.0025, 0.003), 0.9 * max(-share, 0.0));  // blood in a rim
 #ifndef PLAIN
   vec2 heat = heatAt(p);

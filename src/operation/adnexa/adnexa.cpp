@@ -17,7 +17,24 @@ constexpr double kWide = 1.3;
 // An edge that has become longer than this was torn or cut.
 constexpr float kStretches = 2.2f, kAlways = 1e-3f;  // times at rest, plus m
 
+// Beside tissue that was removed the fold of the ligament slopes down, over so many anchors.
+constexpr int kSlopes = 5;
+
 }  // namespace
+
+// Per anchor: how much of the fold's height is left, 0 to 1.
+std::vector<double> Adnexa::heights() const {
+  std::vector<double> left(motions_.size(), 1);
+  const auto rows = std::ptrdiff_t(motions_.size()) - 1;  // the last anchor is the gallbladder's
+  for (std::ptrdiff_t gone = 0; gone < rows; ++gone) {
+    if (motions_[std::size_t(gone)].held) continue;
+    for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, gone - kSlopes);
+         i <= std::min(rows - 1, gone + kSlopes); ++i)
+      left[std::size_t(i)] =
+          std::min(left[std::size_t(i)], double(std::abs(i - gone)) / (kSlopes + 1));
+  }
+  return left;
+}
 
 void Adnexa::begin(const OperatedOrgan& operated) {
   const Organ& organ = operated.organ;
@@ -82,10 +99,15 @@ std::shared_ptr<const SurfaceCopy> Adnexa::follow(const Simulation& simulation) 
   auto now = std::make_shared<SurfaceCopy>();
   now->rest = rest_;
   now->cut = shapes_.look;
+  const std::vector<double> left = heights();
   for (std::size_t i = 0; i < rest_.size(); ++i) {
-    const Motion& motion = motions_[std::size_t(shapes_.anchor[i])];
+    const auto number = std::size_t(shapes_.anchor[i]);
+    const Motion& motion = motions_[number];
     const Mat3& m = motion.map;
-    now->points.emplace_back((m * (place_ * shapes_.mesh.points[i]) + motion.offset).cast<float>());
+    Vec3 p = shapes_.mesh.points[i];
+    if (int(shapes_.look[i]) == int(AdnexaLook::Ligament))
+      p = shapes_.anchors[number] + left[number] * (p - shapes_.anchors[number]);
+    now->points.emplace_back((m * (place_ * p) + motion.offset).cast<float>());
     // Normals turn by the cofactors of the map, which are its inverse transpose times its volume.
     Mat3 cofactors;
     cofactors << m.col(1).cross(m.col(2)), m.col(2).cross(m.col(0)), m.col(0).cross(m.col(1));

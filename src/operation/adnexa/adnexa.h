@@ -36,6 +36,7 @@ class Adnexa {
   };
   void begin(const OperatedOrgan& organ);
   std::vector<Motion> motionsIn(const OperatedOrgan& organ) const;
+  std::vector<double> heights() const;
 
   bool begun_ = false;                 // begin() was called
   LiverAdnexa shapes_;                 // empty: this organ has none

@@ -53,6 +53,7 @@ HandStyle handStyleOf(const ToolModel& tool, double spacing) {
     style.staysOutside = true;
   } else if (tool.kind == "aspirator") {
     style = {.upright = 0.8, .forward = -0.6, .hover = 0.006, .depth = 0.008};
+    style.mostDepth = 0.02;
     style.reach = aspiratorReach(spacing);
     constexpr double kIn = 0.0005;  // m: its tip must touch tissue
     style.leastDepth = style.reach + kIn;

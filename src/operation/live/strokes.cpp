@@ -19,10 +19,14 @@ void StrokeTracker::add(std::int64_t frame, const FrameInput& input,
                         std::span<const OperationEvent> events) {
   const std::size_t tools = input.tools.size();
   resting_.resize(tools);
-  if (input.strokeEnds) inStroke_ = false;
+  if (input.strokeEnds) inStroke_ = false, settled_ = 0;
+  const bool settles = settled_ < kSettles;
+  settled_ += input.duration;
   bool works = false;  // a tool that is in hand and does not rest
   for (std::size_t i = 0; i < tools; ++i) {
     if (input.strokeEnds) resting_[i] = input.tools[i];
+    const bool touches = i < memory_.touching.size() && memory_.touching[i];
+    if (resting_[i] && settles && touches) resting_[i]->pose = input.tools[i].pose;
     if (resting_[i] && !rests(*resting_[i], input.tools[i])) resting_[i].reset();
     works |= input.tools[i].inHand && !resting_[i];
   }

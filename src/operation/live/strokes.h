@@ -35,6 +35,9 @@ class StrokeTracker {
 
   static constexpr double kEndSeconds = 1;
   static constexpr double kMoves = 0.008;  // m: a tool that has moved less counts as not moved
+  // s, after the hand has let go: a tool that lags behind the hand still moves to where it was
+  // left.
+  static constexpr double kSettles = 0.3;
 
  private:
   std::vector<Stroke> strokes_;
@@ -43,7 +46,8 @@ class StrokeTracker {
   // that is left at work may still move by some millimetres after the hand let go.)
   std::vector<std::optional<ToolInput>> resting_;
   bool inStroke_ = false;
-  double untouched_ = 0;  // s, since the last contact of the stroke
+  double untouched_ = 0;       // s, since the last contact of the stroke
+  double settled_ = kSettles;  // s, since the hand let go
 };
 
 }  // namespace resect

@@ -30,6 +30,27 @@ struct Hands {
 
 }  // namespace
 
+TEST_CASE("a tool that lags behind the hand when it is left is left all the same") {
+  Hands hands;
+  hands.input.tools[1].inHand = true;
+  hands.move(1);
+  hands.step({Hands::event("take", 1), Hands::event("touch", 1)});
+  hands.input.strokeEnds = true;
+  for (int i = 0; i < 15; ++i) {  // 15 mm in a quarter of a second
+    hands.move(1);
+    hands.step();
+  }
+  CHECK_FALSE(hands.tracker.inStroke());
+  for (int i = 0; i < 20; ++i) {
+    hands.move(0);
+    hands.step();
+  }
+  hands.input.tools[0].inHand = true;
+  hands.step({Hands::event("take", 0), Hands::event("touch", 0)});
+  REQUIRE(hands.tracker.strokes().size() == 2);
+  CHECK(hands.tracker.strokes()[1].tool == 0);
+}
+
 TEST_CASE("a tool that was left holding takes no part in the strokes of the other") {
   Hands hands;
   hands.input.tools[1].inHand = true;
@@ -62,7 +83,8 @@ TEST_CASE("a tool that was left holding takes no part in the strokes of the othe
   CHECK(hands.tracker.strokes()[1].severed == 3);
   CHECK_FALSE(hands.tracker.inStroke());
 
-  // It is moved again: a stroke.
+  // It is moved again, some time after it was left: a stroke.
+  for (int i = 0; i < 20; ++i) hands.step();
   for (int i = 0; i < 8; ++i) {
     CHECK_FALSE(hands.tracker.inStroke());
     hands.move(1);
