@@ -5,6 +5,7 @@ scored, looked at again and tabulated; one is made, saved, and done.
     exercises_test.py PROGRAM FOLDER     pictures are left in FOLDER
 """
 import json
+import shutil
 import subprocess
 import sys
 import time
@@ -24,6 +25,9 @@ def resect(*arguments):
 
 class Exercises(ScreenTest):
     program, folder = PROGRAM, FOLDER
+
+    def setUp(self):
+        shutil.rmtree(FOLDER / "config", ignore_errors=True)  # levels are remembered, but not from test to test
 
     def opened(self, *args):
         window = Window(PROGRAM, self.screen, "--size", "1240x900", *args)
@@ -174,7 +178,7 @@ class Exercises(ScreenTest):
         self.screen.key("ctrl+t")
         self.cards(window)
         self.press(window, "As a test")
-        self.level(window, "Touch and hold", "Up")
+        self.level(window, "Touch and hold", "Up")  # from hard, the level of last time
         self.press(window, "Start Touch and hold")
         self.assertEqual(window.wait("exercise "), "exercise touch-and-hold level medium guidance off")
         window.wait("organ ")
