@@ -191,6 +191,8 @@ void Bleeding::ooze(OrganBlood& blood, const OperatedOrgan& organ, double durati
   const double level = zeroLevel(organ.organ.map->anatomy);
   for (const Oozing& o : blood.oozing) {
     if (!organ.tissue->solid(o.cell)) continue;
+    // In a piece in which no vessel ends, no pressure is known: nothing feeds it.
+    if (std::size_t(o.part) >= blood.sinusoids.size()) continue;
     const double over = blood.sinusoids[std::size_t(o.part)] -
                         pressureOutside(blood.film.placeOf(organ, o.cell).place, level);
     const double pressure = std::max(0.0, over / circulation_.sinusoids);

@@ -97,6 +97,7 @@ class Bleeding {
     BloodFilm film;
     std::vector<Oozing> oozing;
     // Pressures in the sinusoids (the capillaries of the liver), Pa. The index is Oozing::part.
+    // Pieces in which no vessel ends may be missing at the end.
     std::vector<double> sinusoids;
     // An edit may divide tissue into parts. The search for parts is delayed until some frames after
     // the edit. unsought: number of frames since the edit; 0: no search is due.

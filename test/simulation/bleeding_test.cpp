@@ -82,6 +82,18 @@ TEST_CASE("an organ without vessels does not bleed, and cut tissue of one with v
   CHECK(ml(report.blood.ledger.bled) == doctest::Approx(0.02 * 1.25 * 61 / 60).epsilon(0.02));
 }
 
+TEST_CASE("a piece in which no vessel ends oozes no more once it is known to be cut off") {
+  Simulation simulation = block();
+  // Across z: the vein along x stays in the body, a third of the block is cut off.
+  constexpr double z = 0.0401;
+  const Vec3 before[] = {{-1, -1, z}, {-1, 1, z}}, after[] = {{1, -1, z}, {1, 1, z}};
+  StepReport report = simulation.step(with({{0, -1, Incision{ruledBlade(before, after)}}}));
+  const double both = report.blood.rate;
+  for (int i = 0; i < 30; ++i) report = simulation.step({});
+  checkLedger(report);
+  CHECK(report.blood.rate == doctest::Approx(0.5 * both).epsilon(0.01));
+}
+
 TEST_CASE("clips on both sides of the cut stop the vessel, heat stops the rest") {
   // Beside it a hepatic vein, whose blood oozes when nothing comes from the portal vein.
   const auto along = [](VesselKind kind, const Vec3& from, const Vec3& to) {
