@@ -5,6 +5,8 @@
 namespace resect {
 namespace {
 
+constexpr double kStill = 1e-4;  // m in a frame
+
 // Whether a tool that did `a` when the hand let go still rests when it does `b`.
 bool rests(const ToolInput& a, const ToolInput& b) {
   constexpr double kTurns = 0.05;  // rad
@@ -19,17 +21,21 @@ void StrokeTracker::add(std::int64_t frame, const FrameInput& input,
                         std::span<const OperationEvent> events) {
   const std::size_t tools = input.tools.size();
   resting_.resize(tools);
-  if (input.strokeEnds) inStroke_ = false, settled_ = 0;
-  const bool settles = settled_ < kSettles;
-  settled_ += input.duration;
+  if (input.strokeEnds) inStroke_ = false, left_ = 0;
   bool works = false;  // a tool that is in hand and does not rest
   for (std::size_t i = 0; i < tools; ++i) {
-    if (input.strokeEnds) resting_[i] = input.tools[i];
-    const bool touches = i < memory_.touching.size() && memory_.touching[i];
-    if (resting_[i] && settles && touches) resting_[i]->pose = input.tools[i].pose;
-    if (resting_[i] && !rests(*resting_[i], input.tools[i])) resting_[i].reset();
-    works |= input.tools[i].inHand && !resting_[i];
+    std::optional<Resting>& resting = resting_[i];
+    if (input.strokeEnds) resting = {input.tools[i], true};
+    if (resting && resting->lags) {
+      const bool touches = i < memory_.touching.size() && memory_.touching[i];
+      const double way = (input.tools[i].pose.position - resting->input.pose.position).norm();
+      if (touches) resting->input.pose = input.tools[i].pose;
+      resting->lags = touches && left_ < kLags && (input.strokeEnds || way > kStill);
+    }
+    if (resting && !rests(resting->input, input.tools[i])) resting.reset();
+    works |= input.tools[i].inHand && !resting;
   }
+  left_ += input.duration;
 
   Stroke now{frame - 1, frame, -1, 0, 0, 0};
   for (const OperationEvent& event : events) {

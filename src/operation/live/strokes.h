@@ -35,19 +35,21 @@ class StrokeTracker {
 
   static constexpr double kEndSeconds = 1;
   static constexpr double kMoves = 0.008;  // m: a tool that has moved less counts as not moved
-  // s, after the hand has let go: a tool that lags behind the hand still moves to where it was
-  // left.
-  static constexpr double kSettles = 0.3;
+  static constexpr double kLags = 0.3;     // s: the longest time that a tool lags behind the hand
 
  private:
   std::vector<Stroke> strokes_;
   EventMemory memory_;
-  // Per tool: its input when the hand let go. There is none after the tool was moved again. (A tool
-  // that is left at work may still move by some millimetres after the hand let go.)
-  std::vector<std::optional<ToolInput>> resting_;
+  // A tool that the hand left. A tool that lags behind the hand first moves on to where the hand
+  // left it; from the first frame in which it stands still, every movement is a new one.
+  struct Resting {
+    ToolInput input;
+    bool lags = true;
+  };
+  std::vector<std::optional<Resting>> resting_;  // per tool; none after it was moved again
   bool inStroke_ = false;
-  double untouched_ = 0;       // s, since the last contact of the stroke
-  double settled_ = kSettles;  // s, since the hand let go
+  double untouched_ = 0;  // s, since the last contact of the stroke
+  double left_ = 0;       // s, since the hand let go
 };
 
 }  // namespace resect
