@@ -12,7 +12,7 @@ namespace resect {
 namespace {
 
 constexpr double kUpWay = 0.015;     // m of way over which the normal is averaged
-constexpr double kDescent = 3;       // m of depth per m of way, of such an edge
+constexpr double kDescent = 2.7;     // m of depth per m of way, of such an edge
 constexpr double kStart = 0.002;     // m of way that show the direction of a stroke; then it enters
 constexpr double kStraight = 0.006;  // m of way in which a stroke may still choose its direction
 constexpr double kStill = 1e-6;      // m
