@@ -114,7 +114,7 @@ RemovedParticle removeParticle(Organ& organ, std::int64_t cell) {
 std::span<const std::int64_t> updateField(Organ& organ) { return organ.field.update(organ.carved); }
 
 std::int64_t incise(Organ& organ, const SweptBlade& blade, CutsBetweenCells cuts) {
-  return severAtRest(organ.severed, organ.field, blade, cuts);
+  return severAtRest(organ.severed, organ.field, organ.iso, blade, cuts);
 }
 
 void updateSurface(Organ& organ, std::span<const std::int64_t> touchedBricks) {

@@ -3,20 +3,32 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
 
-#include "wound/cut_grid.h"
+#include "wound/brick_window.h"
+#include "wound/wound_faces.h"
 
 namespace resect {
 namespace {
 
 constexpr double kOnPlane = 1e-12;       // m, as in collision/swept_blade.cpp
 constexpr double kBorder = 1e-9;         // m
+constexpr double kThinnestPiece = 0.05;  // more than is left out (kThinnest in wound_edges.cpp)
 constexpr double kShortestTrace = 1e-6;  // node spacings
 constexpr int kRasterSide = 5;
 constexpr int kStep[3] = {1, kRasterSide, kRasterSide* kRasterSide};
 constexpr int kPlacedNodes =
     kRasterSide * kRasterSide * kRasterSide;  // on which a brick's edges and faces lie
 using Vec2 = Eigen::Vector2d;
+
+// A face in which the blade left a trace.
+struct CrossedFace {
+  Vec3i node;  // of the brick
+  int axis;
+  Vec3 normal;  // of the blade
+};
 
 int at(const Vec3i& n) { return (n.z() * kRasterSide + n.y()) * kRasterSide + n.x(); }
 
@@ -25,7 +37,10 @@ struct GridBrick {
   Vec3i first;
   std::array<Vec3, kPlacedNodes> place;
   std::array<double, kPlacedNodes> height;
+  const ColourField* field;
+  float iso;
   CutsBetweenCells cuts;
+  std::vector<CrossedFace> crossed;
 
   bool above(int i) const { return height[std::size_t(i)] >= -kOnPlane; }
   Aabb bounds() const { return {place.front(), place.back()}; }
@@ -46,20 +61,34 @@ Vec3 inTriangle(const BladeTriangle& t, const Vec3& p) {
   return {u, v, 1 - u - v};
 }
 
+bool mayBeSevered(const SeveredEdges& severed, CutsBetweenCells cuts, const Vec3i& node, int axis) {
+  return cuts == CutsBetweenCells::Any || !severed.betweenCells(node, axis);
+}
+
+// The surface of a wound leaves out a piece of an edge that is thinner than kThinnestPiece (as a
+// fraction of the edge): a cut that would leave such a piece below the skin goes deeper.
+double notTooThin(const ColourField& field, float iso, const Vec3i& node, int axis, double share) {
+  const float lower = field.node(node), upper = field.node(node + Vec3i::Unit(axis));
+  if ((lower >= iso) == (upper >= iso)) return share;
+  const double skin = (iso - lower) / (upper - lower);
+  if (lower >= iso) return share < skin ? std::min(share, skin - kThinnestPiece) : share;
+  return share > skin ? std::max(share, skin + kThinnestPiece) : share;
+}
+
 void severEdge(SeveredEdges& severed, const GridBrick& b, const BladeTriangle& t, const Vec3i& n,
                int axis) {
   const int i = at(n), j = i + kStep[axis];
   if (b.above(i) == b.above(j)) return;
-  if (b.cuts == CutsBetweenCells::One && severed.betweenCells(b.first + n, axis)) return;
+  if (!mayBeSevered(severed, b.cuts, b.first + n, axis)) return;
   const double share = planeShare(b, i, j);
   const Vec3 p =
       b.place[std::size_t(i)] + share * (b.place[std::size_t(j)] - b.place[std::size_t(i)]);
   if (inTriangle(t, p).minCoeff() < -kBladeReach) return;
-  severed.sever(b.first + n, axis, share, t.normal);
+  severed.sever(b.first + n, axis, notTooThin(*b.field, b.iso, b.first + n, axis, share), t.normal);
 }
 
 // The trace on half of a face.
-void traceHalf(SeveredEdges& severed, const GridBrick& b, const BladeTriangle& t, const Vec3i& n,
+void traceHalf(SeveredEdges& severed, GridBrick& b, const BladeTriangle& t, const Vec3i& n,
                int axis, const std::array<Vec2, 3>& corners) {
   std::array<int, 3> index;
   for (std::size_t c = 0; c < 3; ++c)
@@ -88,6 +117,7 @@ void traceHalf(SeveredEdges& severed, const GridBrick& b, const BladeTriangle& t
   if (!(to > from) || line.norm() * (to - from) < kShortestTrace) return;
   severed.trace(b.first + n, axis,
                 {(inFace[0] + from * line).cast<float>(), (inFace[0] + to * line).cast<float>()});
+  b.crossed.push_back({n, axis, t.normal});
 }
 
 Aabb boundsOf(const BladeTriangle& t) {
@@ -122,10 +152,26 @@ void severBrick(SeveredEdges& severed, GridBrick& b, const BladeTriangle& t, con
   }
 }
 
+// Continues shallow cuts in the faces that the blade crossed in a brick.
+void deepenShallowCuts(SeveredEdges& severed, const ColourField& field, float iso,
+                       const Vec3i& brick, CutsBetweenCells cuts,
+                       std::span<const CrossedFace> crossed) {
+  const BrickWindow window(field, severed, brick, iso);
+  for (const CrossedFace& face : crossed) {
+    const RingPoint below = belowShallowCut(window.grid, BrickWindow::index(face.node), face.axis);
+    if (below.edge < 0) continue;
+    const RingEdge edge = ringEdge(face.axis, below.edge);
+    const Vec3i node = kBrickNodes * brick + face.node + edge.offset;
+    if (mayBeSevered(severed, cuts, node, edge.axis))
+      severed.sever(node, edge.axis, notTooThin(field, iso, node, edge.axis, below.share),
+                    face.normal);
+  }
+}
+
 }  // namespace
 
-std::int64_t severAtRest(SeveredEdges& severed, const ColourField& field, const SweptBlade& blade,
-                         CutsBetweenCells cuts) {
+std::int64_t severAtRest(SeveredEdges& severed, const ColourField& field, float iso,
+                         const SweptBlade& blade, CutsBetweenCells cuts) {
   if (blade.empty()) return 0;
   const std::int64_t before = severed.count();
   std::vector<Aabb> reach;
@@ -142,7 +188,10 @@ std::int64_t severAtRest(SeveredEdges& severed, const ColourField& field, const 
   // A blade on the border of two bricks severs edges of both.
   const IndexBox within = field.bricksIn(blade.bounds.padded(kBorder));
   GridBrick b;
+  b.field = &field;
+  b.iso = iso;
   b.cuts = cuts;
+  std::vector<std::pair<Vec3i, std::vector<CrossedFace>>> crossed;
   for (std::int32_t k = 0; k < std::int32_t(within.count()); ++k) {
     const Vec3i brick = within.coordinates(k);
     if (!matters(brick)) continue;
@@ -154,7 +203,11 @@ std::int64_t severAtRest(SeveredEdges& severed, const ColourField& field, const 
     }
     for (std::size_t t = 0; t < blade.triangles.size(); ++t)
       if (meets(b.bounds(), reach[t])) severBrick(severed, b, blade.triangles[t], reach[t]);
+    if (!b.crossed.empty()) crossed.emplace_back(brick, std::exchange(b.crossed, {}));
   }
+  // Only now, since a brick's faces have edges of the next bricks too.
+  for (const auto& [brick, faces] : crossed)
+    deepenShallowCuts(severed, field, iso, brick, cuts, faces);
   return severed.count() - before;
 }
 

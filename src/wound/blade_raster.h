@@ -7,6 +7,11 @@
 // between particles, the cells of tissue (collision/swept_blade.h). Triangles include their
 // borders. A node on the plane of a triangle counts as above this plane. Bricks are blocks of 4 x 4
 // x 4 nodes. Cost: some microseconds for each pair of a brick and a triangle that meet each other.
+//
+// A shallow cut, which parts the skin but ends above the first edge in tissue, is continued
+// straight to that edge (belowShallowCut() in wound/wound_faces.h). So the line of a cut in the
+// skin has no holes, however shallow the cut is. Such a cut gets deeper by less than one node
+// spacing.
 #pragma once
 
 #include "collision/swept_blade.h"
@@ -24,8 +29,8 @@ namespace resect {
 enum class CutsBetweenCells { Any, One };
 
 // Severs edges in all bricks of the field in which the blade can meet tissue. Returns the number of
-// edges that this call severed.
-std::int64_t severAtRest(SeveredEdges& severed, const ColourField& field, const SweptBlade& blade,
-                         CutsBetweenCells cuts = CutsBetweenCells::Any);
+// edges that this call severed. iso: level of the organ's surface.
+std::int64_t severAtRest(SeveredEdges& severed, const ColourField& field, float iso,
+                         const SweptBlade& blade, CutsBetweenCells cuts = CutsBetweenCells::Any);
 
 }  // namespace resect

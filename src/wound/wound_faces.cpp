@@ -70,6 +70,25 @@ Vec2 tip(const CutGrid& grid, int i, int axis, const Vec2& from, const Vec2* a, 
   return far.cwiseMax(kMargin).cwiseMin(1 - kMargin);
 }
 
+// The surface's line in the face, from the end of a run to the start of the next one: tissue lies
+// to its left. In a face with two such lines, the last of them.
+bool skinLine(const Ring& ring, Vec2& a, Vec2& b) {
+  for (int g = 0; g < ring.gaps; ++g)
+    if (const Gap& gap = ring.gap[std::size_t(g)]; gap.outside) {
+      a = place(ring, gap.end);
+      b = place(ring, gap.start);
+    }
+  return ring.outside > 0;
+}
+
+bool traceCrosses(const CutGrid& grid, int i, int axis, const Vec2& a, const Vec2& b) {
+  bool crosses = false;
+  visitTraces(grid, i, axis, [&](const Vec2& p, const Vec2& q) {
+    crosses |= !std::isnan(crossing(a, b, p, q, true));
+  });
+  return crosses;
+}
+
 // Where the cut meets the surface a..b, as a fraction of a..b.
 double onSkin(const CutGrid& grid, int i, int axis, const Ring& ring, const Vec2& a,
               const Vec2& b) {
@@ -237,6 +256,8 @@ bool skinHolds(const CutGrid& grid, int i, int axis) {
   const Ring ring = wound::ringOf(grid, i, axis);
   for (const CutEdge& e : ring.edge)
     if (e.open) return false;
+  Vec2 a, b;
+  if (skinLine(ring, a, b) && traceCrosses(grid, i, axis, a, b)) return false;
   int from = -1, to = -1;
   for (int g = 0; g < ring.gaps; ++g)
     if (const Gap& gap = ring.gap[std::size_t(g)]; gap.outside) {
@@ -272,6 +293,29 @@ bool skinHolds(const CutGrid& grid, int i, int axis) {
     }
   }
   return false;
+}
+
+RingPoint belowShallowCut(const CutGrid& grid, int i, int axis) {
+  RingPoint below;
+  const Ring ring = wound::ringOf(grid, i, axis);
+  Vec2 a, b;
+  if (ring.cuts > 0 || ring.outside != 1 || !skinLine(ring, a, b)) return below;
+  visitTraces(grid, i, axis, [&](const Vec2& p, const Vec2& q) {
+    const double t = crossing(a, b, p, q, true);
+    if (below.edge >= 0 || std::isnan(t)) return;
+    const Vec2 onSkin = a + t * (b - a);
+    const Vec2 inwards = cross(b - a, q - p) > 0 ? Vec2(q - p) : Vec2(p - q);
+    const Vec2 beyond = onSkin + 2 * inwards.normalized();
+    for (int e = 0; e < 4; ++e) {
+      const CutEdge& edge = ring.edge[std::size_t(e)];
+      const Vec2 lower(e == 1, e == 2), upper(e != 3, e == 1 || e == 2 || e == 3);
+      const double share = crossing(lower, upper, onSkin, beyond, true);
+      if (std::isnan(share) || (edge.kind == EdgeKind::None && !edge.lowerInside)) continue;
+      if (edge.kind == EdgeKind::Iso && edge.lowerInside != (share < edge.iso)) continue;
+      below = {e, share};
+    }
+  });
+  return below;
 }
 
 FaceLines faceLines(const CutGrid& grid, int i, int axis) {

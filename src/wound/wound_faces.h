@@ -67,7 +67,8 @@ inline RingEdge ringEdge(int axis, int i) {
 }
 
 // Whether the organ's surface continues through the face at node i although edges of the face are
-// cut. In two cases the surface does not continue, but ends at the cut:
+// cut. In three cases the surface does not continue, but ends at the cut:
+// - A blade's trace crosses the line in which the surface meets the face.
 // - An edge of the face is severed outside the tissue or just inside its surface (CutEdge::open).
 //   Then the blade crosses the line in which the surface meets the face.
 // - The two ends of the line in which the surface meets the face belong to two nodes
@@ -81,6 +82,16 @@ bool skinHolds(const CutGrid& grid, int i, int axis);
 template <typename Holds>
 FaceLines faceLines(const CutGrid& grid, int i, int axis, const Holds& holds);
 FaceLines faceLines(const CutGrid& grid, int i, int axis);
+
+// A shallow cut parts the skin in a face, but ends above the first edge in tissue, so the face's
+// lines cannot show it. Returns where the blade's trace in the face at node i, continued straight
+// into the tissue, meets the next edge. Returns none (edge -1) if no trace crosses the skin in this
+// face, or if an edge of the face is cut in tissue already.
+struct RingPoint {
+  int edge = -1;     // number of the ring edge
+  double share = 0;  // fraction of the edge, from its lower node
+};
+RingPoint belowShallowCut(const CutGrid& grid, int i, int axis);
 
 namespace wound {
 

@@ -38,7 +38,7 @@ struct Patient {
     const auto touched = field.update();
     surface.update(field, touched, wound(), severed.update());
   }
-  void cut(const SweptBlade& blade) { severAtRest(severed, field, blade); }
+  void cut(const SweptBlade& blade) { severAtRest(severed, field, 50, blade); }
   void set(std::int64_t cell, float value) {
     field.setCellValue(cell, value);
     particles[std::size_t(cell)] = value > 0 && cells.inside[std::size_t(cell)];

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <set>
 
 #include "geometry/measures.h"
 #include "support/blades.h"
+#include "support/block_organ.h"
 #include "support/references/wound_reference.h"
 #include "wound/blade_raster.h"
 
@@ -41,8 +43,16 @@ struct Case {
   Vec3 at(double x, double y, double z) const { return field.nodePosition({x, y, z}); }
   // A vector of so many node spacings.
   Vec3 by(double x, double y, double z) const { return at(x, y, z) - at(0, 0, 0); }
+  // Whether a place (node spacings) is less than a node away from the skin.
+  bool nearSkin(const Vec3& p) const {
+    for (int z = -1; z <= 2; ++z)
+      for (int y = -1; y <= 2; ++y)
+        for (int x = -1; x <= 2; ++x)
+          if (field.node(p.array().floor().matrix().cast<int>() + Vec3i(x, y, z)) < 50) return true;
+    return false;
+  }
   void cut(const SweptBlade& blade) {
-    severAtRest(severed, field, blade);
+    severAtRest(severed, field, 50, blade);
     organ.take(severed);
   }
   test::WoundMesh checked() {
@@ -94,6 +104,24 @@ std::pair<double, double> offPlane(const test::WoundMesh& surface, const Vec3& o
   return {std::sqrt(sum / std::max(count, 1)), most};
 }
 
+// Number of connected parts of the lips.
+int lipsOf(const test::WoundMesh& surface) {
+  std::vector<std::size_t> part(surface.mesh.points.size());
+  std::iota(part.begin(), part.end(), std::size_t(0));
+  const auto root = [&](std::size_t p) {
+    while (part[p] != p) p = part[p] = part[part[p]];
+    return p;
+  };
+  for (std::size_t t = 0; t < surface.mesh.triangles.size(); ++t)
+    if (surface.onLip[t])
+      for (const std::int32_t p : surface.mesh.triangles[t])
+        part[root(std::size_t(p))] = root(std::size_t(surface.mesh.triangles[t][0]));
+  std::set<std::size_t> parts;
+  for (std::size_t t = 0; t < surface.mesh.triangles.size(); ++t)
+    if (surface.onLip[t]) parts.insert(root(std::size_t(surface.mesh.triangles[t][0])));
+  return int(parts.size());
+}
+
 }  // namespace
 
 TEST_CASE("a cut right through leaves two closed pieces with the volumes of an exact cut") {
@@ -139,19 +167,51 @@ TEST_CASE("a cut that ends in tissue leaves one piece, and its front lies at the
       5, 5));
   const auto surface = c.checked();
   CHECK(c.pieces(surface).size() == 1);
-  double worst = 0, sum = 0;
+  double worst = 0, worstAtSkin = 0, sum = 0;
   int fronts = 0;
   for (std::size_t p = 0; p < surface.tip.size(); ++p)
-    if (surface.tip[p] && std::abs(surface.mesh.points[p].y() - depth) < 1) {
+    if (surface.tip[p] && std::abs(surface.mesh.points[p].y() - depth) < 1.5) {
       const double off = std::abs(surface.mesh.points[p].y() - depth);
-      worst = std::max(worst, off);
+      double& most = c.nearSkin(surface.mesh.points[p]) ? worstAtSkin : worst;
+      most = std::max(most, off);
       sum += off;
       ++fronts;
     }
   MESSAGE(surface.cutCells, " cut cells; ", fronts, " points of the front, ", sum / fronts,
-          " from the blade's edge in the mean, at most ", worst);
+          " from the blade's edge in the mean, at most ", worst, ", at the skin ", worstAtSkin);
   CHECK(fronts > 15);
   CHECK(worst < 0.05);
+  CHECK(worstAtSkin < 1);  // there the cut is continued to the next edge in tissue
+}
+
+TEST_CASE("a shallow cut opens the skin in one line, however deep it is and however it lies") {
+  Random random(7);
+  int strokes = 0, whole = 0;
+  for (const double depth : {0.3, 0.6, 0.9, 1.5, 3.0})  // node spacings
+    for (int turn = 0; turn < 8; ++turn) {
+      Case c(test::ball(kCells));
+      const double h = c.by(1, 0, 0).x();
+      const Vec3 middle = c.field.lattice().box().centre();
+      const double radius = std::cbrt(3 * c.whole / (4 * std::numbers::pi)) * h;
+      const Vec3 across = test::randomDirection(random), along = across.unitOrthogonal();
+      // In steps, as a hand draws it: an arc of 90 degrees.
+      constexpr int kSteps = 90;
+      const auto edge = [&](int step, double height) {
+        const double angle = 0.5 * std::numbers::pi * step / kSteps;
+        return Vec3(middle + (radius + height * h) *
+                                 (std::cos(angle) * along + std::sin(angle) * across.cross(along)));
+      };
+      for (int i = 0; i < kSteps; ++i) {
+        const Vec3 before[] = {edge(i, -depth), edge(i, 3)},
+                   after[] = {edge(i + 1, -depth), edge(i + 1, 3)};
+        c.cut(ruledBlade(before, after));
+      }
+      const auto surface = c.checked();
+      const int lines = lipsOf(surface);
+      MESSAGE("depth ", depth, ": ", lines, " lines");
+      ++strokes, whole += lines == 1;
+    }
+  CHECK(whole == strokes);
 }
 
 TEST_CASE("a curved cut leaves two lips on the blade") {

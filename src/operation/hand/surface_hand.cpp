@@ -82,7 +82,7 @@ HandStyle handStyleOf(const ToolModel& tool, double spacing) {
     for (const Vec3& p : tool.edge) reach = std::max(reach, (p - tool.edge.front()).dot(tool.axis));
     constexpr double kOut = 0.004;  // m
     style.mostDepth = std::clamp(style.upright * reach - kOut, style.depth, style.mostDepth);
-    constexpr double kParts = 1.5;  // cells
+    constexpr double kParts = 0.5;  // cells
     if (tool.kind != "pencil") style.leastDepth = std::min(kParts * spacing, style.mostDepth);
     style.depth = std::max(style.depth, style.leastDepth);
     style.turnHovering = 0.02;

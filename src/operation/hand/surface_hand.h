@@ -26,7 +26,7 @@ struct HandStyle {
   double hover = 0.005;     // m: height of the tip over the surface while hovering
   double depth = 0.01;      // m: depth to which the hand presses, unless goDeeper() changes it
   double mostDepth = 0.06;  // m: greatest depth; a blade that is deeper would cut a tunnel
-  double leastDepth = 0;    // m: smallest depth; a shallower stroke would leave a row of holes
+  double leastDepth = 0;    // m: smallest depth; a shallower stroke would slide over the skin
   // m: how far beyond its tip the instrument takes tissue. Depths are those to which it takes it.
   double reach = 0;
   // m: length of motion in which 63 % of the angle between heading and motion disappears; 0: the
@@ -41,8 +41,8 @@ struct HandStyle {
 };
 // The style for an instrument. Some kinds of instrument have a style of their own. For the other
 // kinds, the geometry decides: a blade has an edge, scissors have jaws, a hook has a bend. spacing:
-// side of the tissue's cells, m. A scalpel goes at least 1.5 cells deep, since a shallower stroke
-// would part the outermost cells only here and there.
+// side of the tissue's cells, m. A scalpel goes at least half a cell deep, since a shallower stroke
+// would part the skin only here and there.
 HandStyle handStyleOf(const ToolModel& tool, double spacing = 0);
 
 struct SurfaceHand {
