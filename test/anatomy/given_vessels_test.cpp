@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "anatomy/ball_growth.h"
 #include "anatomy/growth/vessel_growth.h"
 #include "anatomy/measure_anatomy.h"
 #include "anatomy/none_crosses.h"
@@ -10,17 +11,6 @@
 using namespace resect;
 
 namespace {
-
-VesselGrowth settings() {
-  VesselGrowth g;
-  g.terminals = 200;
-  g.seed = 4;
-  g.hilum = Vec3(0.01, -0.045, 0);
-  g.hilumOut = Vec3(0.01, -0.09, 0);
-  g.cava = Vec3(-0.01, 0.045, -0.01);
-  g.cavaOut = Vec3(-0.01, 0.08, -0.01);
-  return g;
-}
 
 // What a scan would show of the veins of a grown organ: those of at least `thinnest`, m of radius.
 std::vector<VesselSegment> wideVeins(const Anatomy& anatomy, double thinnest) {
@@ -49,7 +39,7 @@ TEST_CASE("small vessels grow from the wide ones that a scan shows, wherever the
                    Eigen::Quaterniond(Eigen::AngleAxisd(0.7, Vec3(1, 2, -1).normalized()))};
   const TriangleMesh ball = sphereMesh(Vec3::Zero(), 0.06), organ = transformed(ball, place);
   const std::vector<VesselSegment> given =
-      wideVeins(transformed(growVessels(ball, settings()), place), 2e-3);
+      wideVeins(transformed(growVessels(ball, test::ballGrowth(4)), place), 2e-3);
   REQUIRE(given.size() > 20);
   REQUIRE(given.size() < 200);
 
@@ -72,7 +62,7 @@ TEST_CASE("an artery that is given stays as it is, and nothing grows from it") {
   const TriangleMesh organ = sphereMesh(Vec3::Zero(), 0.06);
   const VesselSegment artery{VesselKind::HepaticArtery, -1,    Vec3(0.02, 0, 0),
                              Vec3(0.03, 0, 0.01),       0.001, true};
-  const Anatomy grown = growVessels(organ, settings(), {&artery, 1});
+  const Anatomy grown = growVessels(organ, test::ballGrowth(4), {&artery, 1});
   const VesselRange range = grown.range(VesselKind::HepaticArtery);
   REQUIRE(range.count == 1);
   CHECK(same(grown.segments[std::size_t(range.first)], artery));

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "anatomy/ball_growth.h"
 #include "anatomy/growth/murray.h"
 #include "anatomy/measure_anatomy.h"
 #include "anatomy/none_crosses.h"
@@ -14,19 +15,8 @@ using namespace resect;
 
 namespace {
 
-// A ball of 6 cm radius, with hilum below and cava above.
+// The ball in which test::ballGrowth() lets them grow.
 TriangleMesh ball() { return sphereMesh(Vec3::Zero(), 0.06); }
-
-VesselGrowth settings(std::uint64_t seed) {
-  VesselGrowth g;
-  g.terminals = 200;
-  g.seed = seed;
-  g.hilum = Vec3(0.01, -0.045, 0);
-  g.hilumOut = Vec3(0.01, -0.09, 0);
-  g.cava = Vec3(-0.01, 0.045, -0.01);
-  g.cavaOut = Vec3(-0.01, 0.08, -0.01);
-  return g;
-}
 
 }  // namespace
 
@@ -39,7 +29,7 @@ TEST_CASE("the vessels of any seed stay inside the organ and cross none of anoth
   const TriangleMesh organ = ball();
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     CAPTURE(seed);
-    const Anatomy anatomy = growVessels(organ, settings(seed));
+    const Anatomy anatomy = growVessels(organ, test::ballGrowth(seed));
     const AnatomyMeasures m = measure(anatomy, organ);
     CHECK(m.kinds[0].terminals == 200);
     CHECK(m.kinds[1].terminals == 200);
@@ -58,7 +48,7 @@ TEST_CASE("the same seed gives the same vessels, another one gives others") {
   const TriangleMesh organ = ball();
   const auto ends = [&](std::uint64_t seed) {
     std::vector<double> all;
-    for (const VesselSegment& s : growVessels(organ, settings(seed)).segments)
+    for (const VesselSegment& s : growVessels(organ, test::ballGrowth(seed)).segments)
       all.insert(all.end(), {s.end.x(), s.end.y(), s.end.z(), s.radius});
     return all;
   };
@@ -67,11 +57,11 @@ TEST_CASE("the same seed gives the same vessels, another one gives others") {
 }
 
 TEST_CASE("vessels for an organ without room, or with settings out of range, are refused") {
-  VesselGrowth g = settings(1);
+  VesselGrowth g = test::ballGrowth(1);
   g.terminals = 10;
   CHECK_THROWS_AS(growVessels(ball(), g), Error);
-  g = settings(1);
+  g = test::ballGrowth(1);
   g.hilum.x() = std::nan("");
   CHECK_THROWS_AS(growVessels(ball(), g), Error);
-  CHECK_THROWS_AS(growVessels(sphereMesh(Vec3::Zero(), 0.002), settings(1)), Error);
+  CHECK_THROWS_AS(growVessels(sphereMesh(Vec3::Zero(), 0.002), test::ballGrowth(1)), Error);
 }

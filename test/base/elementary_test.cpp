@@ -8,10 +8,9 @@
 
 #include "base/random.h"
 
-namespace {
+using namespace resect;
 
-using resect::Random;
-namespace math = resect::math;
+namespace {
 
 // How far a value is from the true one, in units in the last place of the true one.
 double unitsOff(double value, long double truth) {

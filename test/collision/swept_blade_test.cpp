@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/random.h"
+#include "support/random_point.h"
 
 using namespace resect;
 
@@ -20,11 +21,6 @@ std::vector<Vec3> curvedEdge() {
     edge.push_back({0, -0.004 * std::sin(std::numbers::pi * z / 0.05), z});
   }
   return edge;
-}
-
-Vec3 randomPoint(Random& random, double reach) {
-  return {random.uniform(-reach, reach), random.uniform(-reach, reach),
-          random.uniform(-reach, reach)};
 }
 
 }  // namespace
@@ -54,7 +50,8 @@ TEST_CASE(
   Random random(3);
   const std::vector<Vec3> edge = curvedEdge();
   for (int motion = 0; motion < 20; ++motion) {
-    const Pose from{randomPoint(random, 0.1), Eigen::Quaterniond(1, 0.2, 0.1, -0.3).normalized()};
+    const Pose from{test::randomPoint(random, 0.1),
+                    Eigen::Quaterniond(1, 0.2, 0.1, -0.3).normalized()};
     // Ahead of the edge and a little round; the strip is nearly flat in the middle.
     const Pose to{from.position + from.rotation * Vec3(0.012, 0.003, 0.001),
                   from.rotation * Eigen::Quaterniond(Eigen::AngleAxisd(0.1, Vec3::UnitY()))};
@@ -65,7 +62,7 @@ TEST_CASE(
       // On the common side of two triangles of a quadrilateral.
       const double s = random.uniform(0.01, 0.99);
       const Vec3 seam = (1 - s) * t.corner + s * (i % 2 ? t.otherU : t.otherV);
-      const Vec3 up = t.normal + 0.3 * randomPoint(random, 1);
+      const Vec3 up = t.normal + 0.3 * test::randomPoint(random, 1);
       const Vec3 p = seam + 0.003 * up, q = seam - 0.002 * up;
       missed += !crossing(blade, p, q);
     }

@@ -19,7 +19,7 @@ using namespace resect;
 
 namespace {
 
-std::string sentenceOf(const std::function<std::string()>& work, ChildLimits limits = {}) {
+std::string sentenceOfChild(const std::function<std::string()>& work, ChildLimits limits = {}) {
   try {
     runInChild("model.iv", limits, work);
   } catch (const Error& e) {
@@ -38,7 +38,7 @@ TEST_CASE("what the child returns comes back byte by byte") {
 }
 
 TEST_CASE("an Error of the child is the parent's Error, with its status") {
-  CHECK(sentenceOf([]() -> std::string { throw error("model.iv:3: bad; mend it"); }) ==
+  CHECK(sentenceOfChild([]() -> std::string { throw error("model.iv:3: bad; mend it"); }) ==
         "model.iv:3: bad; mend it");
   try {
     runInChild("x", {}, []() -> std::string { throw usageError("wrong"); });
@@ -49,14 +49,15 @@ TEST_CASE("an Error of the child is the parent's Error, with its status") {
 }
 
 TEST_CASE("other exceptions become a sentence about the file") {
-  const std::string text = sentenceOf([]() -> std::string { throw std::runtime_error("odd"); });
+  const std::string text =
+      sentenceOfChild([]() -> std::string { throw std::runtime_error("odd"); });
   CHECK(text.find("model.iv: ") == 0);
   CHECK(text.find("odd") != std::string::npos);
-  CHECK(sentenceOf([]() -> std::string { throw 5; }).find("model.iv: ") == 0);
+  CHECK(sentenceOfChild([]() -> std::string { throw 5; }).find("model.iv: ") == 0);
 }
 
 TEST_CASE("a child that is killed gives one sentence") {
-  const std::string text = sentenceOf([]() -> std::string {
+  const std::string text = sentenceOfChild([]() -> std::string {
     ::raise(SIGSEGV);
     return "";
   });
@@ -65,7 +66,7 @@ TEST_CASE("a child that is killed gives one sentence") {
 }
 
 TEST_CASE("a child that leaves without a word gives one sentence") {
-  const std::string text = sentenceOf([]() -> std::string { ::_exit(0); });
+  const std::string text = sentenceOfChild([]() -> std::string { ::_exit(0); });
   CHECK(text.find("model.iv: the reader stopped on it") == 0);
 }
 
@@ -73,7 +74,7 @@ TEST_CASE("a child that computes for ever is stopped by its share of computing")
   ChildLimits limits;
   limits.cpuSeconds = 1;
   limits.wallSeconds = 60;
-  const std::string text = sentenceOf(
+  const std::string text = sentenceOfChild(
       []() -> std::string {
         for (std::atomic<int> i = 0;; ++i) {
         }
@@ -85,7 +86,7 @@ TEST_CASE("a child that computes for ever is stopped by its share of computing")
 TEST_CASE("a child that sleeps is stopped by the clock") {
   ChildLimits limits;
   limits.wallSeconds = 0.2;
-  const std::string text = sentenceOf(
+  const std::string text = sentenceOfChild(
       []() -> std::string {
         std::this_thread::sleep_for(std::chrono::hours(1));
         return "";
@@ -99,8 +100,8 @@ TEST_CASE("a child that answers with more than is taken is stopped, with what to
   limits.answerBytes = std::size_t(1) << 20;
   limits.ifTooLarge = "take another";
   const auto answer = [](std::size_t bytes) { return [=] { return std::string(bytes, 'x'); }; };
-  CHECK(sentenceOf(answer(limits.answerBytes), limits) == "");
-  const std::string text = sentenceOf(answer(8 * limits.answerBytes), limits);
+  CHECK(sentenceOfChild(answer(limits.answerBytes), limits) == "");
+  const std::string text = sentenceOfChild(answer(8 * limits.answerBytes), limits);
   CHECK(text.find("larger than the 1 MB that are taken; take another") != std::string::npos);
 }
 
@@ -108,7 +109,7 @@ TEST_CASE("a child that answers with more than is taken is stopped, with what to
 TEST_CASE("a child that wants more memory than it may is told so") {
   ChildLimits limits;
   limits.memoryBytes = std::size_t(64) << 20;
-  const std::string text = sentenceOf(
+  const std::string text = sentenceOfChild(
       [] {
         std::vector<std::string> blocks;
         for (;;) blocks.emplace_back(std::size_t(8) << 20, 'x');

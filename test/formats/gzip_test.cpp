@@ -10,7 +10,7 @@ using namespace resect;
 
 namespace {
 
-std::string packed(const std::string& text) {
+std::string gzipped(const std::string& text) {
   z_stream stream{};
   REQUIRE(deflateInit2(&stream, 6, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY) == Z_OK);
   std::string bytes(deflateBound(&stream, text.size()), '\0');
@@ -24,7 +24,7 @@ std::string packed(const std::string& text) {
   return bytes;
 }
 
-std::string noise(std::size_t size) {
+std::string randomBytes(std::size_t size) {
   Random random(1);
   std::string text(size, '\0');
   for (char& c : text) c = char(random.below(256));
@@ -35,23 +35,23 @@ std::string noise(std::size_t size) {
 
 TEST_CASE("what was packed is unpacked, in one member or several") {
   for (const std::string& text :
-       {std::string(), std::string("a"), std::string(5'000'000, 'z'), noise(3'000'000)}) {
-    const std::string bytes = packed(text);
+       {std::string(), std::string("a"), std::string(5'000'000, 'z'), randomBytes(3'000'000)}) {
+    const std::string bytes = gzipped(text);
     CHECK(isGzip(bytes));
     CHECK(unpackGzip("f", bytes, 10'000'000) == text);
-    CHECK(unpackGzip("f", bytes + packed("tail"), 10'000'000) == text + "tail");
+    CHECK(unpackGzip("f", bytes + gzipped("tail"), 10'000'000) == text + "tail");
     CHECK(unpackGzip("f", bytes + std::string(100, '\0'), 10'000'000) == text);
   }
   CHECK_FALSE(isGzip("plain"));
 }
 
 TEST_CASE("damaged, cut off and bursting data are refused") {
-  const std::string bytes = packed(noise(100'000));
+  const std::string bytes = gzipped(randomBytes(100'000));
   for (std::size_t length = 2; length < bytes.size(); length += 9973)
     CHECK_THROWS_AS(unpackGzip("f", bytes.substr(0, length), 1 << 20), Error);
   std::string damaged = bytes;
   damaged[bytes.size() / 2] ^= 0x10;
   CHECK_THROWS_AS(unpackGzip("f", damaged, 1 << 20), Error);
-  CHECK_THROWS_WITH_AS(unpackGzip("f", packed(std::string(2 << 20, 'z')), 1 << 20),
+  CHECK_THROWS_WITH_AS(unpackGzip("f", gzipped(std::string(2 << 20, 'z')), 1 << 20),
                        "f: unpacks to more than 1 MB; simplify the model", Error);
 }

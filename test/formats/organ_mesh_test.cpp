@@ -16,7 +16,7 @@ using namespace resect;
 
 namespace {
 
-Model modelOf(std::initializer_list<ModelPart> parts) {
+Model modelOfParts(std::initializer_list<ModelPart> parts) {
   Model model;
   model.path = "organ.obj";
   model.format = "OBJ";
@@ -24,49 +24,49 @@ Model modelOf(std::initializer_list<ModelPart> parts) {
   return model;
 }
 
-TriangleMesh ball() { return sphereMesh({0, 0, 0}, 0.1); }
+TriangleMesh closedBall() { return sphereMesh({0, 0, 0}, 0.1); }
 
 TriangleMesh openBall() {
-  TriangleMesh mesh = ball();
+  TriangleMesh mesh = closedBall();
   mesh.triangles.erase(mesh.triangles.begin() + 100);
   return mesh;
 }
 
-std::string sentence(const Model& model, const OrganMeshOptions& options = {}) {
+std::string sentenceOfMesh(const Model& model, const OrganMeshOptions& options = {}) {
   return test::sentenceOf([&] { prepareOrganMesh(model, options); });
 }
 
 }  // namespace
 
 TEST_CASE("a sound ball passes unchanged and without notes") {
-  const OrganMesh organ = prepareOrganMesh(modelOf({{"ball", ball()}}));
-  CHECK(organ.mesh.points == ball().points);
-  CHECK(organ.mesh.triangles == ball().triangles);
+  const OrganMesh organ = prepareOrganMesh(modelOfParts({{"ball", closedBall()}}));
+  CHECK(organ.mesh.points == closedBall().points);
+  CHECK(organ.mesh.triangles == closedBall().triangles);
   CHECK(organ.notes.empty());
   CHECK(organ.health.closed);
 }
 
 TEST_CASE("a ball inside out is turned, and that is said") {
-  TriangleMesh mesh = ball();
+  TriangleMesh mesh = closedBall();
   flip(mesh);
-  const OrganMesh organ = prepareOrganMesh(modelOf({{"", mesh}}));
-  CHECK(volume(organ.mesh) == doctest::Approx(volume(ball())));
+  const OrganMesh organ = prepareOrganMesh(modelOfParts({{"", mesh}}));
+  CHECK(volume(organ.mesh) == doctest::Approx(volume(closedBall())));
   REQUIRE(organ.notes.size() == 1);
   CHECK(test::tells(organ.notes[0], "inside out"));
 }
 
 TEST_CASE("triangles that disagree are turned") {
-  TriangleMesh mesh = ball();
+  TriangleMesh mesh = closedBall();
   for (std::size_t i = 0; i < mesh.triangles.size(); i += 3)
     std::swap(mesh.triangles[i][0], mesh.triangles[i][1]);
-  const OrganMesh organ = prepareOrganMesh(modelOf({{"", mesh}}));
+  const OrganMesh organ = prepareOrganMesh(modelOfParts({{"", mesh}}));
   CHECK(organ.health.oriented);
-  CHECK(volume(organ.mesh) == doctest::Approx(volume(ball())));
+  CHECK(volume(organ.mesh) == doctest::Approx(volume(closedBall())));
 }
 
 TEST_CASE("an open ball is refused with its edges and the place of the first, unless repaired") {
-  const Model model = modelOf({{"", openBall()}});
-  const std::string text = sentence(model);
+  const Model model = modelOfParts({{"", openBall()}});
+  const std::string text = sentenceOfMesh(model);
   CHECK(test::tells(text, "organ.obj: "));
   CHECK(test::tells(text, "3 boundary edges"));
   CHECK(test::tells(text, "--repair"));
@@ -78,29 +78,31 @@ TEST_CASE("an open ball is refused with its edges and the place of the first, un
   options.repair = true;
   const OrganMesh organ = prepareOrganMesh(model, options);
   CHECK(organ.health.closed);
-  CHECK(volume(organ.mesh) == doctest::Approx(volume(ball())));
+  CHECK(volume(organ.mesh) == doctest::Approx(volume(closedBall())));
   REQUIRE(organ.notes.size() == 1);
   CHECK(test::tells(organ.notes[0], "1 hole closed with 1 triangle"));
   CHECK(test::tells(organ.notes[0], "changed the volume by +"));
   // In per cent of the volume before, from the middle of the box.
   const double before = volumeAbout(openBall(), bounds(openBall()).centre());
-  CHECK(
-      test::tells(organ.notes[0], fmt::format("({:+.3g} %)", 100 * (volume(ball()) / before - 1))));
+  CHECK(test::tells(organ.notes[0],
+                    fmt::format("({:+.3g} %)", 100 * (volume(closedBall()) / before - 1))));
 }
 
 TEST_CASE("parts that make no body together are listed, and one can be chosen") {
   const Model model =
-      modelOf({{"capsule", openBall()}, {"stone", boxMesh({{0, 0, 0}, {0.02, 0.02, 0.03}})}});
-  const std::string text = sentence(model);
+      modelOfParts({{"capsule", openBall()}, {"stone", boxMesh({{0, 0, 0}, {0.02, 0.02, 0.03}})}});
+  const std::string text = sentenceOfMesh(model);
   CHECK(test::tells(text, "its 2 parts together"));
   CHECK(test::tells(text, "capsule, stone"));
   OrganMeshOptions options;
   options.part = "stone";
   CHECK(volume(prepareOrganMesh(model, options).mesh) == doctest::Approx(0.02 * 0.02 * 0.03));
   options.part = "gall";
-  CHECK(test::tells(sentence(model, options), "no part 'gall'; choose one of: capsule, stone"));
+  CHECK(
+      test::tells(sentenceOfMesh(model, options), "no part 'gall'; choose one of: capsule, stone"));
   options.part = partLines({"stone", "gall"});
-  CHECK(test::tells(sentence(model, options), "no part 'gall'; choose one of: capsule, stone"));
+  CHECK(
+      test::tells(sentenceOfMesh(model, options), "no part 'gall'; choose one of: capsule, stone"));
 }
 
 TEST_CASE("several parts are joined to one body") {
@@ -109,15 +111,18 @@ TEST_CASE("several parts are joined to one body") {
   bare.triangles.erase(bare.triangles.begin(), bare.triangles.begin() + 10);
   const TriangleMesh sheet{{{0.05, 0.02, 0.02}, {0.05, 0.08, 0.02}, {0.05, 0.05, 0.08}},
                            {{0, 1, 2}}};
-  const Model model = modelOf({{"capsule", capsule}, {"bare area", bare}, {"sheet inside", sheet}});
-  CHECK(test::tells(sentence(model), "choose some with --part, which may be given several times"));
+  const Model model =
+      modelOfParts({{"capsule", capsule}, {"bare area", bare}, {"sheet inside", sheet}});
+  CHECK(test::tells(sentenceOfMesh(model),
+                    "choose some with --part, which may be given several times"));
   OrganMeshOptions options;
   options.part = "capsule\nbare area";
   const OrganMesh organ = prepareOrganMesh(model, options);
   CHECK(organ.volume == doctest::Approx(0.001));
   CHECK(organ.notes.empty());
   options.part = "bare area\nsheet inside";
-  CHECK(test::tells(sentence(model, options), "its 2 chosen parts together are no closed body"));
+  CHECK(test::tells(sentenceOfMesh(model, options),
+                    "its 2 chosen parts together are no closed body"));
   CHECK(partNames(options.part) == std::vector<std::string>{"bare area", "sheet inside"});
   CHECK(partNames("").empty());
   CHECK(chosenParts(model, "").parts.size() == 3);
@@ -126,20 +131,20 @@ TEST_CASE("several parts are joined to one body") {
 TEST_CASE("inner shells are told: cavities, and those that face outwards, with their part") {
   TriangleMesh inner = boxMesh({{0.03, 0.03, 0.03}, {0.07, 0.07, 0.07}});
   const TriangleMesh outer = boxMesh({{0, 0, 0}, {0.1, 0.1, 0.1}});
-  OrganMesh organ = prepareOrganMesh(modelOf({{"liver", outer}, {"tumour", inner}}));
+  OrganMesh organ = prepareOrganMesh(modelOfParts({{"liver", outer}, {"tumour", inner}}));
   CHECK(organ.volume == doctest::Approx(1e-3));
   CHECK(organ.mesh.triangles.size() == outer.triangles.size());  // the shell bounds no tissue
   REQUIRE(organ.notes.size() == 1);
   CHECK(organ.notes[0] ==
         "1 inner shell of 64 ml facing outwards (part 'tumour'): what it encloses is tissue; give "
         "a part that is a cavity or a tumour this role (--structure cavity=PART)");
-  organ =
-      prepareOrganMesh(modelOf({{"liver", outer}, {"tumour", inner}}), {"", false, 1, "tumour"});
+  organ = prepareOrganMesh(modelOfParts({{"liver", outer}, {"tumour", inner}}),
+                           {"", false, 1, "tumour"});
   CHECK(organ.notes.empty());
   flip(inner);
   TriangleMesh both = outer;
   append(both, inner);
-  organ = prepareOrganMesh(modelOf({{"", both}}));
+  organ = prepareOrganMesh(modelOfParts({{"", both}}));
   CHECK(organ.volume == doctest::Approx(936e-6));
   REQUIRE(organ.notes.size() == 2);
   CHECK(
@@ -148,7 +153,7 @@ TEST_CASE("inner shells are told: cavities, and those that face outwards, with t
       "0.05) m)");
   append(both, sphereMesh({0.015, 0.015, 0.015}, 0.01, 8));
   append(both, sphereMesh({0.085, 0.015, 0.015}, 0.012, 8));
-  organ = prepareOrganMesh(modelOf({{"", both}}));
+  organ = prepareOrganMesh(modelOfParts({{"", both}}));
   REQUIRE(organ.notes.size() == 3);
   CHECK(test::tells(organ.notes[2], "2 inner shells of"));
   CHECK(test::tells(organ.notes[2], "(the largest is the one round (0.085, 0.015, 0.015) m)"));
@@ -162,7 +167,7 @@ TEST_CASE("components that reach into each other are told, others are not") {
   append(within, sphereMesh({0.005, 0, 0}, 0.01, 32));
   const auto notes = [](const TriangleMesh& mesh) {
     std::string all;
-    for (const std::string& note : prepareOrganMesh(modelOf({{"", mesh}})).notes) all += note;
+    for (const std::string& note : prepareOrganMesh(modelOfParts({{"", mesh}})).notes) all += note;
     return all;
   };
   CHECK(test::tells(notes(through), "2 components reach into others"));
@@ -171,57 +176,57 @@ TEST_CASE("components that reach into each other are told, others are not") {
 }
 
 TEST_CASE("a .3mf tells its unit itself, and another one is refused") {
-  Model model = modelOf({{"ball", ball()}});
+  Model model = modelOfParts({{"ball", closedBall()}});
   model.format = "3MF";
-  CHECK(test::tells(sentence(model, {"", false, 0.001}), "tells its unit itself"));
+  CHECK(test::tells(sentenceOfMesh(model, {"", false, 0.001}), "tells its unit itself"));
 }
 
 TEST_CASE("a face and its back are one face, and that is said") {
-  TriangleMesh mesh = ball(), back = ball();
+  TriangleMesh mesh = closedBall(), back = closedBall();
   flip(back);
   append(mesh, back);
-  const OrganMesh organ = prepareOrganMesh(modelOf({{"", mesh}}));
-  CHECK(organ.volume == doctest::Approx(volume(ball())));
-  CHECK(organ.health.triangles == int(ball().triangles.size()));
+  const OrganMesh organ = prepareOrganMesh(modelOfParts({{"", mesh}}));
+  CHECK(organ.volume == doctest::Approx(volume(closedBall())));
+  CHECK(organ.health.triangles == int(closedBall().triangles.size()));
   REQUIRE(organ.notes.size() == 1);
   CHECK(test::tells(organ.notes[0], "every face was there more than once"));
   // Two parts that are the same.
-  CHECK(prepareOrganMesh(modelOf({{"a", ball()}, {"b", ball()}})).volume ==
-        doctest::Approx(volume(ball())));
+  CHECK(prepareOrganMesh(modelOfParts({{"a", closedBall()}, {"b", closedBall()}})).volume ==
+        doctest::Approx(volume(closedBall())));
 }
 
 TEST_CASE("overlapping parts are not repaired into nonsense") {
   TriangleMesh twice = openBall();
-  const Model model = modelOf({{"a", twice}, {"b", twice}, {"c", openBall()}});
+  const Model model = modelOfParts({{"a", twice}, {"b", twice}, {"c", openBall()}});
   OrganMeshOptions options;
   options.repair = true;
-  CHECK(test::tells(sentence(model, options), "a, b, c"));
+  CHECK(test::tells(sentenceOfMesh(model, options), "a, b, c"));
 }
 
 TEST_CASE("two halves that share a rim are one body") {
-  TriangleMesh upper = ball(), lower = ball();
+  TriangleMesh upper = closedBall(), lower = closedBall();
   upper.triangles.resize(700);
   lower.triangles.erase(lower.triangles.begin(), lower.triangles.begin() + 700);
-  const OrganMesh organ = prepareOrganMesh(modelOf({{"upper", upper}, {"lower", lower}}));
+  const OrganMesh organ = prepareOrganMesh(modelOfParts({{"upper", upper}, {"lower", lower}}));
   CHECK(organ.health.components == 1);
-  CHECK(volume(organ.mesh) == doctest::Approx(volume(ball())));
+  CHECK(volume(organ.mesh) == doctest::Approx(volume(closedBall())));
 }
 
 TEST_CASE("copies that meet up to rounding are welded, gaps are not") {
-  TriangleMesh half = ball();
+  TriangleMesh half = closedBall();
   TriangleMesh lower = half;
   half.triangles.resize(700);
   lower.triangles.erase(lower.triangles.begin(), lower.triangles.begin() + 700);
   for (Vec3& p : lower.points) p += Vec3(1e-9, -1e-9, 1e-9);
-  CHECK(prepareOrganMesh(modelOf({{"a", half}, {"b", lower}})).health.closed);
+  CHECK(prepareOrganMesh(modelOfParts({{"a", half}, {"b", lower}})).health.closed);
   for (Vec3& p : lower.points) p += Vec3(1e-5, 0, 0);
-  CHECK(test::tells(sentence(modelOf({{"a", half}, {"b", lower}})), "boundary edges"));
+  CHECK(test::tells(sentenceOfMesh(modelOfParts({{"a", half}, {"b", lower}})), "boundary edges"));
 }
 
 TEST_CASE("units scale the surface, and an implausible size is noted with the likely unit") {
-  TriangleMesh millimetres = ball();
+  TriangleMesh millimetres = closedBall();
   for (Vec3& p : millimetres.points) p *= 1000;
-  const Model model = modelOf({{"", millimetres}});
+  const Model model = modelOfParts({{"", millimetres}});
   const OrganMesh raw = prepareOrganMesh(model);
   REQUIRE(raw.notes.size() == 1);
   CHECK(raw.notes[0] ==
@@ -230,7 +235,7 @@ TEST_CASE("units scale the surface, and an implausible size is noted with the li
   options.metresPerUnit = 0.001;
   const OrganMesh scaled = prepareOrganMesh(model, options);
   CHECK(scaled.notes.empty());
-  CHECK(volume(scaled.mesh) == doctest::Approx(volume(ball())));
+  CHECK(volume(scaled.mesh) == doctest::Approx(volume(closedBall())));
 }
 
 TEST_CASE("plausible units bring a body to the size of a liver") {
@@ -266,28 +271,29 @@ TEST_CASE("a doubt about the size names the unit that would do, or none") {
 TEST_CASE("an open surface in another unit is refused with the unit that would do") {
   TriangleMesh millimetres = openBall();
   for (Vec3& p : millimetres.points) p *= 1000;
-  CHECK(test::tells(sentence(modelOf({{"", millimetres}})), "add --unit mm"));
+  CHECK(test::tells(sentenceOfMesh(modelOfParts({{"", millimetres}})), "add --unit mm"));
 }
 
 TEST_CASE("specks and bodies without volume") {
-  Model model = modelOf({{"", ball()}});
+  Model model = modelOfParts({{"", closedBall()}});
   append(model.parts[0].mesh, {{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}});
   const OrganMesh organ = prepareOrganMesh(model);
   CHECK(organ.repairs.specksDropped == 1);
   CHECK(organ.health.components == 1);
   model.parts[0].mesh = {{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}};
-  CHECK(test::tells(sentence(model), "encloses no volume"));
+  CHECK(test::tells(sentenceOfMesh(model), "encloses no volume"));
   model.parts[0].mesh = {{{1, 0, 0}, {1, 0, 0}, {1, 0, 0}}, {{0, 1, 2}}};
-  CHECK(test::tells(sentence(model), "degenerate"));
+  CHECK(test::tells(sentenceOfMesh(model), "degenerate"));
 }
 
 TEST_CASE("the report has the promised fields, as read and after welding") {
   TriangleMesh mesh = openBall();
   mesh.points.push_back({9, 9, 9});  // belongs to no triangle
-  const ModelInfo info = modelInfo(modelOf({{"a", mesh}, {"b", boxMesh({{1, 1, 1}, {2, 2, 2}})}}));
+  const ModelInfo info =
+      modelInfo(modelOfParts({{"a", mesh}, {"b", boxMesh({{1, 1, 1}, {2, 2, 2}})}}));
   const nlohmann::ordered_json json = toJson(info);
   CHECK(json["triangles"] == int(mesh.triangles.size()) + 12);
-  CHECK(json["vertices"] == int(ball().points.size()) + 8);
+  CHECK(json["vertices"] == int(closedBall().points.size()) + 8);
   CHECK(json["area_m2"].get<double>() == doctest::Approx(area(openBall()) + 6));
   CHECK(json["volume_ml"].get<double>() == doctest::Approx(volume(openBall()) * 1e6 + 1e6));
   CHECK(json["bounds_m"][1][0] == 2.0);
@@ -311,7 +317,7 @@ TEST_CASE("the report has the promised fields, as read and after welding") {
 TEST_CASE("the report says what organ a model becomes, in its unit and of its parts") {
   TriangleMesh hollow = boxMesh({{0, 0, 0}, {100, 100, 100}});
   append(hollow, boxMesh({{30, 30, 30}, {70, 70, 70}}));
-  const Model model = modelOf({{"bladder", hollow}, {"stone", ball()}});
+  const Model model = modelOfParts({{"bladder", hollow}, {"stone", closedBall()}});
   const ModelInfo info = modelInfo(model, {"bladder", false, 1e-3});
   REQUIRE(info.parts.size() == 1);
   REQUIRE(info.organVolume);
@@ -325,7 +331,7 @@ TEST_CASE("the report says what organ a model becomes, in its unit and of its pa
 }
 
 TEST_CASE("a model crosses the pipe unchanged, and damage is noticed") {
-  const Model model = modelOf({{"a", ball()}, {"", boxMesh({{0, 0, 0}, {1, 1, 1}})}});
+  const Model model = modelOfParts({{"a", closedBall()}, {"", boxMesh({{0, 0, 0}, {1, 1, 1}})}});
   const std::string bytes = modelToBytes(model);
   const Model back = bytesToModel(bytes, "organ.obj");
   REQUIRE(back.parts.size() == 2);

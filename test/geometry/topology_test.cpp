@@ -85,7 +85,7 @@ TEST_CASE("edges and pieces are those counted one by one") {
     TriangleMesh mesh;
     for (int i = 0; i < points; ++i) mesh.points.emplace_back(i, 0.5 * i, -i);
     const auto triangles = random.below(60);
-    for (std::uint64_t i = 0; i < triangles; ++i) {
+    for (int i = 0; i < triangles; ++i) {
       const auto corner = [&] { return std::int32_t(random.below(std::uint64_t(points))); };
       mesh.triangles.push_back({corner(), corner(), corner()});
     }

@@ -10,11 +10,11 @@
 using namespace resect;
 using test::ballOf;
 using test::barOf;
+using test::kFrame;
 using test::moveAndTear;
 
 namespace {
 
-constexpr double kFrame = 1.0 / 60;
 constexpr double kStep = 1e-4;  // m, of the finite difference
 
 struct Layer : test::TissueLayer {

@@ -3,9 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "base/error.h"
+#include "support/references/point_heat.h"
 
 using namespace resect;
 
@@ -16,18 +16,6 @@ const auto kEverywhere = [](const Vec3&) { return true; };
 // A box of 80 mm round `centre`; the lattice does not lie symmetrically in it.
 HeatField field(const Vec3& centre = Vec3(0.013, -0.007, 0.021)) {
   return HeatField({centre - Vec3::Constant(0.0403), centre + Vec3::Constant(0.0397)});
-}
-
-// Rise at the distance r, m, from a source of `power`, W, that has been on for `time`, s, in
-// endless perfused tissue. Pennes 1948 is linear, so that this follows from the point source of
-// Carslaw and Jaeger 1959, 10.4.
-double rise(double power, double r, double time) {
-  const double a = kConductivity / kHeatCapacity;
-  const double w = kPerfusion * kBloodCapacity / kHeatCapacity;
-  const double inverse = std::sqrt(w / a);  // 1 / m
-  const double x = r / std::sqrt(4 * a * time), y = std::sqrt(w * time);
-  return power / (8 * std::numbers::pi * kConductivity * r) *
-         (std::exp(-r * inverse) * std::erfc(x - y) + std::exp(r * inverse) * std::erfc(x + y));
 }
 
 }  // namespace
@@ -50,7 +38,7 @@ TEST_CASE("heat spreads as from the analytic point source in perfused tissue") {
       for (int i = 0; i < kPoints; ++i) {
         const Vec3 part(i % kParts, i / kParts % kParts, i / kParts / kParts);
         const Vec3 off = (part + Vec3::Constant(0.5)) / kParts - Vec3::Constant(0.5);
-        sum += rise(0.08, (place - middle - HeatField::kSpacing * off).norm(), time);
+        sum += test::riseAround(0.08, (place - middle - HeatField::kSpacing * off).norm(), time);
       }
     return sum / double(kPoints * heated.size());
   };

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "heat/heat_field.h"
+#include "support/references/point_heat.h"
 
 using namespace resect;
 
@@ -64,16 +65,6 @@ struct Needle {
   }
 };
 
-// Rise at the distance r, m, from a source of `power`, W, after `time`, s, in perfused tissue
-// (Pennes 1948; Carslaw and Jaeger 1959, 10.4).
-double rise(double power, double r, double time) {
-  const double a = kConductivity / kHeatCapacity;
-  const double w = kPerfusion * kBloodCapacity / kHeatCapacity;
-  const double inverse = std::sqrt(w / a), x = r / std::sqrt(4 * a * time), y = std::sqrt(w * time);
-  return power / (8 * std::numbers::pi * kConductivity * r) *
-         (std::exp(-r * inverse) * std::erfc(x - y) + std::exp(r * inverse) * std::erfc(x + y));
-}
-
 // At `distance` from the needle's surface, half way along it.
 Vec3 besideNeedle(double distance) {
   const double across = kRadius + distance;
@@ -99,7 +90,7 @@ TEST_CASE("tissue round a needle electrode warms as the sum of its point sources
         for (int a = 0; a < 3; ++a)
           if (image >> a & 1) place[a] = -place[a];
         // 0.42: mean distance, as 1 / r counts, of a cube's points from its middle.
-        expected += rise(s.power, std::max((p - place).norm(), 0.42 * kSide), 120);
+        expected += test::riseAround(s.power, std::max((p - place).norm(), 0.42 * kSide), 120);
       }
     CHECK(needle.heat.temperature(p) - kBodyTemperature == doctest::Approx(expected).epsilon(0.03));
   }

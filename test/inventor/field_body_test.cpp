@@ -31,7 +31,7 @@ void addTriangle(void* mesh, SoCallbackAction* action, const SoPrimitiveVertex* 
   m.triangles.push_back({first, first + 1, first + 2});
 }
 
-TriangleMesh drawn(SoNode* node) {
+TriangleMesh drawnMesh(SoNode* node) {
   TriangleMesh mesh;
   SoCallbackAction action;
   action.addTriangleCallback(SoShape::getClassTypeId(), addTriangle, &mesh);
@@ -40,13 +40,13 @@ TriangleMesh drawn(SoNode* node) {
 }
 
 // What is drawn of the field, by the names of its parts.
-TriangleMesh drawnParts(const std::vector<std::string>& names) {
+TriangleMesh drawnFieldParts(const std::vector<std::string>& names) {
   auto* field = static_cast<SoSeparator*>(readRoomModel("field"));
   field->ref();
   TriangleMesh all;
   for (int i = 0; i < field->getNumChildren(); ++i)
     if (std::ranges::count(names, field->getChild(i)->getName().getString()) > 0)
-      append(all, drawn(field->getChild(i)));
+      append(all, drawnMesh(field->getChild(i)));
   field->unref();
   return all;
 }
@@ -60,7 +60,7 @@ double quantile(std::vector<double> distances, double share) {
 }  // namespace
 
 TEST_CASE("the abdominal wall that stops tissue lies within 3 mm of the drawn one") {
-  const TriangleMesh all = drawnParts({"skin", "fat", "muscle", "gut", "omentum", "drape"});
+  const TriangleMesh all = drawnFieldParts({"skin", "fat", "muscle", "gut", "omentum", "drape"});
   {
     const StandingBody body = abdominalWall({});
     std::vector<double> distances;
@@ -95,7 +95,7 @@ TEST_CASE("what is drawn of the abdominal wall is not outside the one that stops
   for (const char* part : {"skin", "fat", "muscle"}) {
     CAPTURE(part);
     std::vector<double> distances;
-    for (const Vec3& point : drawnParts({part}).points) {
+    for (const Vec3& point : drawnFieldParts({part}).points) {
       if (point.y() < 0.002) continue;
       distances.push_back(shape(point).distance);
     }

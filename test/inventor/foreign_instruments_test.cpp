@@ -49,7 +49,7 @@ RgbImage picture(const test::TemporaryFolder* folder, double squeeze = 0) {
 }
 
 // Share of pixels whose colours differ by more than eyes overlook.
-double difference(const RgbImage& a, const RgbImage& b) {
+double changedShare(const RgbImage& a, const RgbImage& b) {
   int pixels = 0;
   for (std::size_t i = 0; i < a.pixels.size(); i += 3) {
     int most = 0;
@@ -138,8 +138,8 @@ TEST_CASE("an instrument of any format is shown, and looks the same in all of th
     CAPTURE(name);
     writeDescription(folder, name);
     pictures.push_back(picture(&folder));
-    CHECK(difference(air, pictures.back()) > 0.03);
-    CHECK(difference(pictures.front(), pictures.back()) < 1e-3);
+    CHECK(changedShare(air, pictures.back()) > 0.03);
+    CHECK(changedShare(pictures.front(), pictures.back()) < 1e-3);
   }
 }
 
@@ -150,10 +150,10 @@ TEST_CASE("jaws of a foreign .obj file close in the picture") {
   const RgbImage shut = picture(&folder);
   folder.write("own.obj", objOfJaws(0.5 * kOpening, "JawUpper", "JawLower.001"));
   const RgbImage closed = picture(&folder, 1), open = picture(&folder, 0);
-  CHECK(difference(closed, shut) < 1e-3);
-  CHECK(difference(open, shut) > 0.01);
+  CHECK(changedShare(closed, shut) < 1e-3);
+  CHECK(changedShare(open, shut) > 0.01);
   folder.write("own.obj", objOfJaws(0.5 * kOpening, "First", "Second"));
-  CHECK(difference(open, picture(&folder)) < 1e-3);
+  CHECK(changedShare(open, picture(&folder)) < 1e-3);
 }
 
 TEST_CASE("an instrument that would end Coin gives a picture or a sentence") {

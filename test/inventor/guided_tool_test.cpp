@@ -16,8 +16,8 @@ namespace {
 
 constexpr int kScalpel = 0, kHook = 1, kScissors = 3;
 
-struct Bench : test::OperatingBench {
-  explicit Bench(double spacing = 0.012) : OperatingBench(true, spacing) {
+struct GuidedBench : test::OperatingBench {
+  explicit GuidedBench(double spacing = 0.012) : OperatingBench(true, spacing) {
     session->viewAll(1.6);
     session->operation().waitFor(40);  // the liver has sunk
     session->update();
@@ -57,8 +57,6 @@ struct Bench : test::OperatingBench {
   }
 };
 
-}  // namespace
-
 // Numbers of corners of the holes that cuts have made in the skin.
 std::vector<int> holesIn(SoOrganShape& organ) {
   const SurfaceCopy surface = organ.snapshot().first;
@@ -90,7 +88,7 @@ const std::pair<SbVec2s, SbVec2s> kStrokes[] = {{SbVec2s(-60, 30), SbVec2s(-20, 
 
 // Draws a stroke with the scalpel. notches: turned at the wheel before it, towards less depth.
 // Returns the largest hole's share of the rims of all holes that are then in the skin.
-double strokeOf(Bench& bench, const std::pair<SbVec2s, SbVec2s>& stroke, int notches) {
+double strokeOf(GuidedBench& bench, const std::pair<SbVec2s, SbVec2s>& stroke, int notches) {
   const auto& [from, to] = stroke;
   const SbVec2s begin = bench.onOrgan(from[0], from[1]), end = bench.onOrgan(to[0], to[1]);
   bench.take(kScalpel, begin);
@@ -108,11 +106,13 @@ double strokeOf(Bench& bench, const std::pair<SbVec2s, SbVec2s>& stroke, int not
   return share;
 }
 
+}  // namespace
+
 TEST_CASE("a stroke over the dome or a lobe, along or across, opens the skin in one line") {
   for (const double spacing : {0.008, 0.006})
     for (const auto& stroke : kStrokes) {
       CAPTURE(spacing);
-      Bench bench(spacing);
+      GuidedBench bench(spacing);
       CHECK(strokeOf(bench, stroke, 0) > 0.4);
       CHECK(bench.cutArea() > 2e-4);
     }
@@ -121,7 +121,7 @@ TEST_CASE("a stroke over the dome or a lobe, along or across, opens the skin in 
 TEST_CASE("a stroke cuts about as deep as is set") {
   for (const int stroke : {1, 2})
     for (const int notches : {0, 2}) {
-      Bench bench(0.008);
+      GuidedBench bench(0.008);
       const auto& [from, to] = kStrokes[stroke];
       const auto begin = bench.session->pointUnder(bench.onOrgan(from[0], from[1]), bench.viewport),
                  end = bench.session->pointUnder(bench.onOrgan(to[0], to[1]), bench.viewport);
@@ -138,7 +138,7 @@ TEST_CASE("a stroke cuts about as deep as is set") {
 TEST_CASE(
     "the wheel takes the scalpel no shallower than a stroke that opens the skin in one line") {
   for (const auto& stroke : kStrokes) {
-    Bench bench(0.008);
+    GuidedBench bench(0.008);
     CHECK(strokeOf(bench, stroke, 8) > 0.4);
     CHECK(bench.tools().depth(kScalpel) == doctest::Approx(0.004));
     CHECK(bench.tools().isLeastDeep(kScalpel));
@@ -146,7 +146,7 @@ TEST_CASE(
 }
 
 TEST_CASE("an instrument in hand hovers over the surface under the pointer") {
-  Bench bench;
+  GuidedBench bench;
   const SbVec2s at = bench.onOrgan();
   bench.take(kScalpel, at);
   for (const SbVec2s& to : {at, bench.onOrgan(-30, 10), bench.onOrgan(40, -20)}) {
@@ -165,7 +165,7 @@ TEST_CASE("an instrument in hand hovers over the surface under the pointer") {
 
 TEST_CASE(
     "pressing and drawing cuts a continuous line, releasing ends it, and undo takes it back") {
-  Bench bench;
+  GuidedBench bench;
   const SbVec2s from = bench.onOrgan(-30, 15), to = bench.onOrgan(30, -15);
   bench.take(kScalpel, from);
   bench.press(from);
@@ -198,7 +198,7 @@ TEST_CASE(
 TEST_CASE("a stroke that begins beside the organ cuts as one that begins on it") {
   std::vector<double> areas;
   for (const bool beside : {false, true}) {
-    Bench bench;
+    GuidedBench bench;
     // Down from the far rim, which is seen against the room.
     const SbVec2s to = bench.onOrgan(0, -20);
     SbVec2s rim = bench.onOrgan();
@@ -221,7 +221,7 @@ TEST_CASE("a stroke that begins beside the organ cuts as one that begins on it")
 }
 
 TEST_CASE("a stroke after an undo begins where the hand presses, not where the instrument was") {
-  Bench bench;
+  GuidedBench bench;
   const SbVec2s first = bench.onOrgan(-45, 15), firstEnd = bench.onOrgan(-35, -10);
   bench.take(kScalpel, first);
   bench.press(first);
@@ -248,7 +248,7 @@ TEST_CASE("a stroke after an undo begins where the hand presses, not where the i
 }
 
 TEST_CASE("an instrument moves no faster than a hand while it works") {
-  Bench bench;
+  GuidedBench bench;
   const SbVec2s from = bench.onOrgan(-40, 0), to = bench.onOrgan(40, 0);
   bench.take(kScalpel, from);
   bench.press(from);
@@ -267,7 +267,7 @@ TEST_CASE("an instrument moves no faster than a hand while it works") {
 }
 
 TEST_CASE("the wheel sets how deep an instrument works, and each keeps its depth") {
-  Bench bench;
+  GuidedBench bench;
   const SbVec2s at = bench.onOrgan();
   bench.take(kScalpel, at);
   const double depth = bench.tools().depth(kScalpel), hook = bench.tools().depth(kHook);
@@ -284,7 +284,7 @@ TEST_CASE("the wheel sets how deep an instrument works, and each keeps its depth
 }
 
 TEST_CASE("a hook left holding holds while the scalpel cuts; taken again, it lets go") {
-  Bench bench;
+  GuidedBench bench;
   const SbVec2s from = bench.onOrgan(10, -5),
                 to = bench.onOrgan(18, -5);  // gently: at 2 N it slips off
   bench.take(kHook, from);
@@ -330,7 +330,7 @@ TEST_CASE("a hook left holding holds while the scalpel cuts; taken again, it let
 }
 
 TEST_CASE("in a wound a blade goes into the depth, on the skin at right angles to the skin") {
-  Bench bench(0.008);
+  GuidedBench bench(0.008);
   bench.take(kHook, bench.onOrgan(25, -5));
   bench.press(bench.onOrgan(25, -5));
   bench.waitSeconds(0.4);
@@ -366,7 +366,7 @@ TEST_CASE("in a wound a blade goes into the depth, on the skin at right angles t
 }
 
 TEST_CASE("taking another instrument while one works leaves that one at work") {
-  Bench bench;
+  GuidedBench bench;
   const SbVec2s at = bench.onOrgan();
   bench.take(kHook, at);
   bench.press(at);
@@ -381,7 +381,7 @@ TEST_CASE("taking another instrument while one works leaves that one at work") {
 }
 
 TEST_CASE("pressing closes scissors") {
-  Bench bench;
+  GuidedBench bench;
   const SbVec2s at = bench.onOrgan();
   bench.take(kScissors, at);
   bench.waitSeconds(0.3);
@@ -395,7 +395,7 @@ TEST_CASE("pressing closes scissors") {
 }
 
 TEST_CASE("a stroke goes on beside the organ, and a press on an instrument takes it") {
-  Bench bench;
+  GuidedBench bench;
   bench.move(bench.pixelOf(kHook));
   bench.press(bench.pixelOf(kHook));
   REQUIRE(bench.tools().held() == kHook);

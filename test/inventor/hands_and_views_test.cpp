@@ -11,11 +11,11 @@
 #include "support/operating_bench.h"
 
 using namespace resect;
-using Bench = test::OperatingBench;
+using test::OperatingBench;
 
 TEST_CASE(
     "a handle box that is dragged moves its tool and does not grow it; a trackball turns it") {
-  Bench bench;
+  OperatingBench bench;
   const SbVec2s at = bench.pixelOf(2);
   bench.click(at);
   REQUIRE(bench.tools().how() == ToolHandling::Hold::HandleBox);
@@ -35,7 +35,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a handle box's cube for scaling neither grows its tool nor moves it") {
-  Bench bench;
+  OperatingBench bench;
   bench.click(bench.pixelOf(2));
   REQUIRE(bench.tools().how() == ToolHandling::Hold::HandleBox);
   REQUIRE(bench.key(SoKeyboardEvent::UP_ARROW));
@@ -88,7 +88,7 @@ TEST_CASE("a handle box's cube for scaling neither grows its tool nor moves it")
 
 TEST_CASE(
     "with Shift the wheel and the page keys roll the tool in hand, with Ctrl the wheel zooms") {
-  Bench bench;
+  OperatingBench bench;
   REQUIRE(bench.key(SoKeyboardEvent::NUMBER_1));
   const Pose before = bench.tools().pose(0);
   bench.button({400, 250}, true, SoMouseButtonEvent::BUTTON4, true);
@@ -107,7 +107,7 @@ TEST_CASE(
 
 TEST_CASE(
     "every named view has the organ in its middle part, and all comes into view from any side") {
-  Bench bench;
+  OperatingBench bench;
   const Aabb box = bench.session->cells().lattice.box();
   std::vector<SbVec3f> places;
   for (const RoomView view :
@@ -136,7 +136,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the camera turns to the point that was clicked and keeps it in its middle") {
-  Bench bench;
+  OperatingBench bench;
   const Vec3 point = bench.pointOfOrgan();
   bench.session->camera().lookAt(point);
   CHECK((bench.session->camera().pointOfInterest() - point).norm() < 1e-3);
@@ -149,7 +149,7 @@ TEST_CASE("the camera turns to the point that was clicked and keeps it in its mi
 }
 
 TEST_CASE("a manipulator round a tool that is turned any way comes to rest") {
-  Bench bench;
+  OperatingBench bench;
   Random random(5);
   int changes = 0;
   const auto follow = bench.tools().changed;

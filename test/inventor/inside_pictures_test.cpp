@@ -18,12 +18,12 @@ using namespace resect;
 
 namespace {
 
-constexpr int kWidth = 320, kHeight = 180;
+constexpr int kInsideWidth = 320, kInsideHeight = 180;
 
 // A ball of 7 cm whose surface is cut tissue, seen from above.
 struct CutBall {
   OperatingRoom room;
-  OffscreenView view{kWidth, kHeight};
+  OffscreenView view{kInsideWidth, kInsideHeight};
   TriangleMesh ball = sphereMesh({0, 0.07, 0}, 0.07, 32);
   std::shared_ptr<const TissueMap> structures;
 
@@ -31,7 +31,7 @@ struct CutBall {
     const Aabb box{{-0.15, 0, -0.15}, {0.15, 0.14, 0.15}};
     room.setOrgan(ball);
     room.lightUp(box);
-    room.look(RoomView::Top, box, double(kWidth) / kHeight);
+    room.look(RoomView::Top, box, double(kInsideWidth) / kInsideHeight);
   }
   RgbImage draw(std::shared_ptr<const VesselPicture> vessels, std::shared_ptr<const TissueMap> heat,
                 float share = 1) {
@@ -55,10 +55,10 @@ struct Spot {
   int pixels = 0;
 };
 
-Spot difference(const RgbImage& a, const RgbImage& b) {
+Spot changedSpot(const RgbImage& a, const RgbImage& b) {
   Spot spot;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kInsideHeight; ++y)
+    for (int x = 0; x < kInsideWidth; ++x) {
       int off = 0;
       for (int c = 0; c < 3; ++c) off += std::abs(int(a.at(x, y)[c]) - int(b.at(x, y)[c]));
       if (off < 30) continue;
@@ -104,7 +104,7 @@ TEST_CASE("a vessel is seen on a cut face where it runs, as wide as it is") {
       makeAnatomy({{VesselKind::PortalVein, -1, Vec3(0, 0.06, 0), Vec3(0, 0.07, 0), 0.002, true}}));
   const RgbImage plain = scene.draw(none, nullptr);
   const auto spotOf = [&](double x, double z, double radius) {
-    return difference(scene.draw(vein(x, z, radius), nullptr), plain);
+    return changedSpot(scene.draw(vein(x, z, radius), nullptr), plain);
   };
   const Spot middle = spotOf(0, 0, 0.006), right = spotOf(0.02, 0, 0.006),
              back = spotOf(0, 0.02, 0.006), wide = spotOf(0, 0, 0.012);
@@ -128,20 +128,20 @@ TEST_CASE("a vessel is seen on a cut face where it runs, as wide as it is") {
 TEST_CASE("a vessel is not seen through the capsule") {
   CutBall scene;
   const RgbImage plain = scene.draw(nullptr, nullptr, 0);
-  CHECK(difference(scene.draw(vein(0, 0, 0.006), nullptr, 0), plain).pixels == 0);
+  CHECK(changedSpot(scene.draw(vein(0, 0, 0.006), nullptr, 0), plain).pixels == 0);
 }
 
 TEST_CASE("tissue is no longer pale after its coagulation was taken back") {
   CutBall scene;
   const RgbImage live = scene.draw(nullptr, std::make_shared<TissueMap>());
-  CHECK(difference(scene.draw(nullptr, heated(255, 0)), live).pixels > 500);
-  CHECK(difference(scene.draw(nullptr, std::make_shared<TissueMap>()), live).pixels == 0);
+  CHECK(changedSpot(scene.draw(nullptr, heated(255, 0)), live).pixels > 500);
+  CHECK(changedSpot(scene.draw(nullptr, std::make_shared<TissueMap>()), live).pixels == 0);
 }
 
 TEST_CASE("coagulated tissue is pale and less red, charred tissue is black") {
   CutBall scene;
   for (const float share : {0.0f, 1.0f}) {
-    const int x = kWidth / 2, y = kHeight / 2 + 12;
+    const int x = kInsideWidth / 2, y = kInsideHeight / 2 + 12;
     const auto live = meanOf(scene.draw(nullptr, heated(0, 0), share), x, y, 5),
                pale = meanOf(scene.draw(nullptr, heated(255, 0), share), x, y, 5),
                black = meanOf(scene.draw(nullptr, heated(255, 255), share), x, y, 5);
@@ -168,12 +168,12 @@ TEST_CASE("a tumour is seen on a cut face where it lies, and shines through the 
   const RgbImage cut = scene.draw(nullptr, nullptr), whole = scene.draw(nullptr, nullptr, 0);
   scene.structures = pictureStructures(makeOrgan(std::move(cells), {}));
   const RgbImage cutThrough = scene.draw(nullptr, nullptr);
-  const Spot onCut = difference(cutThrough, cut),
-             onCapsule = difference(scene.draw(nullptr, nullptr, 0), whole);
-  const double middle = kWidth / 2.0;
+  const Spot onCut = changedSpot(cutThrough, cut),
+             onCapsule = changedSpot(scene.draw(nullptr, nullptr, 0), whole);
+  const double middle = kInsideWidth / 2.0;
   REQUIRE(onCut.pixels > 30);
   CHECK(onCut.x > middle + 5);
-  CHECK(std::abs(onCut.y - kHeight / 2.0) < 12);
+  CHECK(std::abs(onCut.y - kInsideHeight / 2.0) < 12);
   CHECK(onCapsule.pixels > 10);
   CHECK(onCapsule.x > middle + 5);
   const auto pale = meanOf(cutThrough, int(onCut.x), int(onCut.y), 3),

@@ -3,16 +3,16 @@
 #include <doctest/doctest.h>
 
 #include "base/error.h"
+#include "support/malformed/malformed.h"
 #include "support/sentence.h"
 
 using namespace resect;
+using test::kInventorHead;
 
 namespace {
 
-const std::string kHead = "#Inventor V2.1 ascii\n";
-
-std::string sentence(const std::string& body) {
-  return test::sentenceOf([&] { guardInventorFile("a.iv", kHead + body); });
+std::string sentenceOfGuard(const std::string& body) {
+  return test::sentenceOf([&] { guardInventorFile("a.iv", kInventorHead + body); });
 }
 
 std::string repeated(const std::string& text, int times) {
@@ -34,18 +34,18 @@ TEST_CASE("headers are told apart and named") {
 }
 
 TEST_CASE("ordinary scenes pass") {
-  CHECK(sentence("").empty());
-  CHECK(sentence("Separator { DEF a Cube { width 2 } USE a } # { [ not counted\n").empty());
-  CHECK(sentence("Info { string \"a { brace, a \\\" quote and a # too\" }").empty());
-  CHECK(sentence(repeated("Separator {", 400) + repeated("}", 400)).empty());
-  CHECK(sentence("PROTO Ball [ ] { Sphere { } } Ball { }").empty());
+  CHECK(sentenceOfGuard("").empty());
+  CHECK(sentenceOfGuard("Separator { DEF a Cube { width 2 } USE a } # { [ not counted\n").empty());
+  CHECK(sentenceOfGuard("Info { string \"a { brace, a \\\" quote and a # too\" }").empty());
+  CHECK(sentenceOfGuard(repeated("Separator {", 400) + repeated("}", 400)).empty());
+  CHECK(sentenceOfGuard("PROTO Ball [ ] { Sphere { } } Ball { }").empty());
   // The same name may be defined again inside.
-  CHECK(sentence("DEF a Separator { DEF a Cube { } } USE a").empty());
+  CHECK(sentenceOfGuard("DEF a Separator { DEF a Cube { } } USE a").empty());
 }
 
 TEST_CASE("what kills Coin is refused with its line") {
   const auto refuses = [](const std::string& body, const std::string& expected) {
-    const std::string text = sentence(body);
+    const std::string text = sentenceOfGuard(body);
     CHECK_MESSAGE(text.find(expected) != std::string::npos, text);
     CHECK(text.find('\n') == std::string::npos);
   };

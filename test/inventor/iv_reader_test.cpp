@@ -17,15 +17,16 @@
 #include "inventor/reading/model_file.h"
 #include "io/mesh_file.h"
 #include "io/organ_mesh.h"
+#include "support/malformed/malformed.h"
 #include "support/sentence.h"
 #include "support/shared_data.h"
 #include "support/temporary_folder.h"
 
 using namespace resect;
+using test::kInventorHead;
 
 namespace {
 
-const std::string kHead = "#Inventor V2.1 ascii\n";
 const std::string kCorners =
     "Coordinate3 { point [ 0 0 0, 1 0 0, 1 1 0, 0 1 0, 0 0 1, 1 0 1, 1 1 1, 0 1 1 ] }\n";
 const std::string kUnitCube =
@@ -34,12 +35,12 @@ const std::string kUnitCube =
     "3,0,4,7 ] }\n";
 
 Model readText(const std::string& body, ShapeReading reading = ShapeReading::Converted) {
-  return readInventorFile("a.iv", kHead + body, reading);
+  return readInventorFile("a.iv", kInventorHead + body, reading);
 }
 
 TriangleMesh mesh(const std::string& body) { return merged(readText(body)); }
 
-std::string sentence(const std::string& bytes) {
+std::string sentenceOfReader(const std::string& bytes) {
   return test::sentenceOf([&] { readInventorFile("a.iv", bytes); });
 }
 
@@ -157,7 +158,7 @@ TEST_CASE("parts are named by the innermost DEF around them") {
 
 TEST_CASE("a shape that asks for points that are not there is refused") {
   const auto refuses = [](const std::string& body, const std::string& expected) {
-    const std::string text = sentence(kHead + body);
+    const std::string text = sentenceOfReader(kInventorHead + body);
     CHECK_MESSAGE(test::isRefusalOf("a.iv:", expected, text), text);
   };
   refuses(kCorners + "IndexedFaceSet { coordIndex [ 0,1,8,-1 ] }", "point 8 of only 8");
@@ -176,9 +177,10 @@ TEST_CASE("a shape that asks for points that are not there is refused") {
 }
 
 TEST_CASE("read errors name their line") {
-  CHECK(sentence(kHead + "Separator {\n  Cube {\n    width x\n  }\n}\n").find("a.iv:4: ") == 0);
-  CHECK(sentence(kHead + "Separator {\n  USE nobody\n}\n").find("a.iv:") == 0);
-  CHECK(sentence("Separator { }").find("header") != std::string::npos);
+  CHECK(sentenceOfReader(kInventorHead + "Separator {\n  Cube {\n    width x\n  }\n}\n")
+            .find("a.iv:4: ") == 0);
+  CHECK(sentenceOfReader(kInventorHead + "Separator {\n  USE nobody\n}\n").find("a.iv:") == 0);
+  CHECK(sentenceOfReader("Separator { }").find("header") != std::string::npos);
 }
 
 TEST_CASE("a missing texture does not stop a surface") {

@@ -14,33 +14,33 @@ using namespace resect;
 
 namespace {
 
-constexpr int kWidth = 480, kHeight = 270;
+constexpr int kLiveWidth = 480, kLiveHeight = 270;
 using Pixels = std::vector<std::uint32_t>;  // rows from above
 
 // A ball on a table and a tool beside it, drawn by the processor.
-struct Scene {
+struct LiveScene {
   OperatingRoom room;
   Aabb box{{-0.15, 0, -0.15}, {0.15, 0.14, 0.15}};
   int tool;
 
-  Scene() {
+  LiveScene() {
     room.setTable(makeModel(boxMesh({{-0.6, -0.02, -0.6}, {0.6, 0, 0.6}})));
     room.setOrgan(sphereMesh({0, 0.07, 0}, 0.07, 24));
     tool = room.addTool(makeModel(boxMesh({{-0.01, -0.01, 0}, {0.01, 0.01, 0.1}})));
     place({-0.12, 0.1, 0});
     room.lightUp(box);
-    room.look(RoomView::Surgeon, box, double(kWidth) / kHeight);
+    room.look(RoomView::Surgeon, box, double(kLiveWidth) / kLiveHeight);
   }
   void place(const Vec3& p) { room.setToolPose(tool, {p, Eigen::Quaterniond::Identity()}); }
   Pixels draw(LivePicture& picture, const Damage& damage, double longest = 1e9) {
     picture.setProcessorDraws(true);
     picture.setLongestPicture(longest);
-    picture.draw(room.root(), *room.camera(), damage, {kWidth, kHeight});
+    picture.draw(room.root(), *room.camera(), damage, {kLiveWidth, kLiveHeight});
     return read(picture);
   }
   static Pixels read(LivePicture& picture) {
-    Pixels pixels(std::size_t(kWidth) * kHeight);
-    picture.read({0, 0, kWidth, kHeight}, pixels.data(), kWidth);
+    Pixels pixels(std::size_t(kLiveWidth) * kLiveHeight);
+    picture.read({0, 0, kLiveWidth, kLiveHeight}, pixels.data(), kLiveWidth);
     return pixels;
   }
 };
@@ -48,29 +48,29 @@ struct Scene {
 }  // namespace
 
 TEST_CASE("what is drawn again in part is what a picture drawn whole shows, the rest stays") {
-  Scene scene;
+  LiveScene scene;
   LivePicture picture, anew;
   const Damage all{true, {}, {}};
   const Pixels before = scene.draw(picture, all);
-  CHECK(picture.drawnPixels() == kWidth * kHeight);
+  CHECK(picture.drawnPixels() == kLiveWidth * kLiveHeight);
   Damage damage{false, {scene.room.toolBounds(scene.tool)}, {}};
   scene.place({0.03, 0.16, -0.02});
   damage.boxes.push_back(scene.room.toolBounds(scene.tool));
   const Pixels after = scene.draw(picture, damage);
   const Pixels whole = scene.draw(anew, all);
-  const auto parts =
-      pixelsOf(damage, *scene.room.camera(), SbViewportRegion(short(kWidth), short(kHeight)));
+  const auto parts = pixelsOf(damage, *scene.room.camera(),
+                              SbViewportRegion(short(kLiveWidth), short(kLiveHeight)));
   CHECK(parts.size() > 1);
   CHECK(picture.drawnPixels() == area(parts));
-  CHECK(picture.drawnPixels() < kWidth * kHeight / 3);
+  CHECK(picture.drawnPixels() < kLiveWidth * kLiveHeight / 3);
   int wrong = 0;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kLiveHeight; ++y)
+    for (int x = 0; x < kLiveWidth; ++x) {
       const bool drawn = std::any_of(parts.begin(), parts.end(), [&](const PixelRect& part) {
-        const int up = kHeight - 1 - y;
+        const int up = kLiveHeight - 1 - y;
         return x >= part.left && x < part.right && up >= part.bottom && up < part.top;
       });
-      const std::size_t at = std::size_t(y) * kWidth + x;
+      const std::size_t at = std::size_t(y) * kLiveWidth + x;
       wrong += after[at] != (drawn ? whole : before)[at];
     }
   CHECK(wrong == 0);
@@ -78,7 +78,7 @@ TEST_CASE("what is drawn again in part is what a picture drawn whole shows, the 
 }
 
 TEST_CASE("shadows come at latest with the third picture, at once when nothing else has changed") {
-  Scene scene;
+  LiveScene scene;
   LivePicture picture;
   scene.draw(picture, {true, {}, {}});
   const Aabb some{{0, 0, 0}, {0.02, 0.02, 0.02}}, shadow{{-0.1, 0, 0.05}, {0.1, 0, 0.15}};
@@ -100,7 +100,7 @@ TEST_CASE("shadows come at latest with the third picture, at once when nothing e
 
 TEST_CASE(
     "where pictures take too long shadows come more seldom, but every eighth picture has them") {
-  Scene scene;
+  LiveScene scene;
   LivePicture picture;
   scene.draw(picture, {true, {}, {}});
   const Aabb some{{0, 0, 0}, {0.02, 0.02, 0.02}}, shadow{{-0.5, 0, -0.5}, {0.5, 0, 0.5}};
@@ -115,26 +115,27 @@ TEST_CASE(
 }
 
 TEST_CASE("a smooth picture comes in strips, and each can be read by itself") {
-  Scene scene;
+  LiveScene scene;
   LivePicture strips, once;
   const Pixels rough = scene.draw(strips, {true, {}, {}});
   scene.draw(once, {true, {}, {}});
   once.drawSmooth(scene.room.root(), 0, 1);
-  const Pixels smooth = Scene::read(once);
+  const Pixels smooth = LiveScene::read(once);
   CHECK(smooth != rough);
   Pixels shown = rough;
   constexpr int kStrips = 7;
   for (int strip = 0; strip < kStrips; ++strip) {
     const PixelRect part = strips.drawSmooth(scene.room.root(), strip, kStrips);
     CHECK(part.area() == strips.drawnPixels());
-    strips.read(part, &shown[std::size_t(kHeight - part.top) * kWidth + part.left], kWidth);
+    strips.read(part, &shown[std::size_t(kLiveHeight - part.top) * kLiveWidth + part.left],
+                kLiveWidth);
   }
   CHECK(shown == smooth);
-  CHECK(Scene::read(strips) == smooth);
+  CHECK(LiveScene::read(strips) == smooth);
 }
 
 TEST_CASE("a second organ is drawn in its own light when something before it was seen through") {
-  Scene scene;
+  LiveScene scene;
   scene.room.addOrgan({0.30f, 0.45f, 0.16f});
   const Vec3 centre(0.05, 0.14, 0.03);
   const TriangleMesh ball = sphereMesh(centre, 0.04, 24);
@@ -155,19 +156,20 @@ TEST_CASE("a second organ is drawn in its own light when something before it was
 
   const auto front =
       pixelsOf({false, {{{0.04, 0.13, 0.05}, {0.06, 0.15, 0.07}}}, {}}, *scene.room.camera(),
-               SbViewportRegion(short(kWidth), short(kHeight)));
+               SbViewportRegion(short(kLiveWidth), short(kLiveHeight)));
   REQUIRE(front.size() == 1);
   const auto green = [&](const Pixels& pixels) {
     double sum = 0;
     for (int y = front[0].bottom; y < front[0].top; ++y)
       for (int x = front[0].left; x < front[0].right; ++x)
-        sum += double(pixels[std::size_t(kHeight - 1 - y) * kWidth + std::size_t(x)] >> 8 & 255);
+        sum += double(pixels[std::size_t(kLiveHeight - 1 - y) * kLiveWidth + std::size_t(x)] >> 8 &
+                      255);
     return sum / double(front[0].area());
   };
   LivePicture picture;
   scene.draw(picture, {true, {}, {}});
   picture.drawSmooth(scene.room.root(), 0, 1);
-  const double smooth = green(Scene::read(picture));
+  const double smooth = green(LiveScene::read(picture));
   CHECK(smooth > 60);
   for (int i = 0; i < 3; ++i)
     CHECK(green(scene.draw(picture, {true, {}, {}})) == doctest::Approx(smooth).epsilon(0.02));

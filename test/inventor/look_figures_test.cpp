@@ -22,7 +22,7 @@ using namespace resect;
 
 namespace {
 
-constexpr int kWidth = 960, kHeight = 540;
+constexpr int kFigureWidth = 960, kFigureHeight = 540;
 
 double luminance(const std::uint8_t* rgb) {
   return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
@@ -32,12 +32,13 @@ double luminance(const std::uint8_t* rgb) {
 class OrganPixels {
  public:
   explicit OrganPixels(OperatingRoom& room)
-      : room_(room), volume_(viewVolumeOf(*room.camera(), SbViewportRegion(kWidth, kHeight))) {}
+      : room_(room),
+        volume_(viewVolumeOf(*room.camera(), SbViewportRegion(kFigureWidth, kFigureHeight))) {}
 
   bool shows(int x, int y) const {
     SbVec3f from, towards;
-    volume_.projectPointToLine(SbVec2f((x + 0.5f) / kWidth, 1 - (y + 0.5f) / kHeight), from,
-                               towards);
+    volume_.projectPointToLine(SbVec2f((x + 0.5f) / kFigureWidth, 1 - (y + 0.5f) / kFigureHeight),
+                               from, towards);
     const Vec3 origin(from[0], from[1], from[2]);
     const Ray ray{origin, (Vec3(towards[0], towards[1], towards[2]) - origin).normalized()};
     for (int o = 0; o < room_.organCount(); ++o)
@@ -60,20 +61,20 @@ struct Figures {
 // Pixels of each group of neighbours.
 std::vector<int> spotsOf(std::vector<char> bright) {
   std::vector<int> sizes;
-  for (int start = 0; start < kWidth * kHeight; ++start) {
+  for (int start = 0; start < kFigureWidth * kFigureHeight; ++start) {
     if (!bright[std::size_t(start)]) continue;
     std::vector<int> open{start};
     bright[std::size_t(start)] = 0;
     int size = 0;
     while (!open.empty()) {
-      const int at = open.back(), x = at % kWidth, y = at / kWidth;
+      const int at = open.back(), x = at % kFigureWidth, y = at / kFigureWidth;
       open.pop_back();
       ++size;
-      for (int j = std::max(y - 1, 0); j <= std::min(y + 1, kHeight - 1); ++j)
-        for (int i = std::max(x - 1, 0); i <= std::min(x + 1, kWidth - 1); ++i)
-          if (char& next = bright[std::size_t(j * kWidth + i)]; next) {
+      for (int j = std::max(y - 1, 0); j <= std::min(y + 1, kFigureHeight - 1); ++j)
+        for (int i = std::max(x - 1, 0); i <= std::min(x + 1, kFigureWidth - 1); ++i)
+          if (char& next = bright[std::size_t(j * kFigureWidth + i)]; next) {
             next = 0;
-            open.push_back(j * kWidth + i);
+            open.push_back(j * kFigureWidth + i);
           }
     }
     sizes.push_back(size);
@@ -85,15 +86,15 @@ Figures figuresOf(const RgbImage& image, OperatingRoom& room) {
   const OrganPixels organ(room);
   double sum[3] = {};
   std::vector<double> lights;
-  std::vector<char> bright(std::size_t(kWidth * kHeight), 0);
+  std::vector<char> bright(std::size_t(kFigureWidth * kFigureHeight), 0);
   std::size_t brightPixels = 0;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kFigureHeight; ++y)
+    for (int x = 0; x < kFigureWidth; ++x) {
       const std::uint8_t* rgb = image.at(x, y);
       const double light = luminance(rgb);
       const bool sampled = x % 3 == 1 && y % 3 == 1;
       if ((!sampled && light <= 180) || !organ.shows(x, y)) continue;
-      if (light > 180) ++brightPixels, bright[std::size_t(y * kWidth + x)] = 1;
+      if (light > 180) ++brightPixels, bright[std::size_t(y * kFigureWidth + x)] = 1;
       if (!sampled) continue;
       lights.push_back(light);
       for (int c = 0; c < 3; ++c) sum[c] += rgb[c];
@@ -102,7 +103,7 @@ Figures figuresOf(const RgbImage& image, OperatingRoom& room) {
   std::ranges::sort(lights);
   const SoPerspectiveCamera& camera = *room.camera();
   const double pixel = 2000 * camera.focalDistance.getValue() *
-                       std::tan(0.5 * camera.heightAngle.getValue()) / kHeight;  // mm
+                       std::tan(0.5 * camera.heightAngle.getValue()) / kFigureHeight;  // mm
   const std::vector<int> spots = spotsOf(bright);
   Figures found;
   found.redGreen = sum[0] / sum[1];
@@ -129,7 +130,7 @@ Figures figuresAt(const std::string& name, double share, const std::string& sett
     scenario.closeUp.reset();
   }
   Simulation simulation = makeSimulation(scenario, &readModel);
-  OperationView view(scenario, simulation, double(kWidth) / kHeight);
+  OperationView view(scenario, simulation, double(kFigureWidth) / kFigureHeight);
   const auto last = std::int64_t(share * scenario.duration * scenario.frameRate);
   StepReport report;
   while (simulation.frame() < last)
@@ -138,7 +139,7 @@ Figures figuresAt(const std::string& name, double share, const std::string& sett
   for (int t = 0; t < view.room().toolCount(); ++t)
     view.room().setToolPose(t, {Vec3(0, 5, 0), Eigen::Quaterniond::Identity()});
   view.room().changedIn({});
-  OffscreenView screen(kWidth, kHeight);
+  OffscreenView screen(kFigureWidth, kFigureHeight);
   const RgbImage image = view.draw(screen);
   return figuresOf(image, view.room());
 }

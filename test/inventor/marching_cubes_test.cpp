@@ -22,7 +22,7 @@ namespace {
 constexpr int kNodes = 24;
 
 // 100 in the middle, 50 at a distance of 0.3 from it, in the unit cube.
-float ball(int x, int y, int z) {
+float ballLevel(int x, int y, int z) {
   const double h = 1.0 / (kNodes - 1);
   return float(100 - 50 * std::hypot(x * h - 0.5, y * h - 0.5, z * h - 0.5) / 0.3);
 }
@@ -31,7 +31,7 @@ std::string sceneText() {
   std::string values;
   for (int z = 0; z < kNodes; ++z)
     for (int y = 0; y < kNodes; ++y)
-      for (int x = 0; x < kNodes; ++x) values += std::to_string(ball(x, y, z)) + " ";
+      for (int x = 0; x < kNodes; ++x) values += std::to_string(ballLevel(x, y, z)) + " ";
   return "#Inventor V2.1 ascii\nSeparator { DEF SHAPE OrganShape {\n"
          "  points = DEF SURFACE MarchingCubes { dims 24 24 24 value [ " +
          values +
@@ -40,11 +40,11 @@ std::string sceneText() {
          "  coordIndex = USE SURFACE . coordIndex\n} }\n";
 }
 
-struct Scene {
+struct CubesScene {
   SoSeparator* root;
   SoOrganShape* shape;
 
-  Scene() {
+  CubesScene() {
     initInventor();
     const std::string text = sceneText();
     SoInput input;
@@ -55,7 +55,7 @@ struct Scene {
     shape = static_cast<SoOrganShape*>(SoNode::getByName("SHAPE"));
     REQUIRE(shape);
   }
-  ~Scene() { root->unref(); }
+  ~CubesScene() { root->unref(); }
 
   TriangleMesh mesh() const {
     TriangleMesh mesh;
@@ -71,7 +71,7 @@ struct Scene {
 }  // namespace
 
 TEST_CASE("a plain .iv file connects the engine to the organ shape: the ball is there, closed") {
-  Scene scene;
+  CubesScene scene;
   const TriangleMesh mesh = scene.mesh();
   REQUIRE(mesh.triangles.size() > 500);
   CHECK(topology(mesh).closed());
@@ -88,7 +88,7 @@ TEST_CASE("a plain .iv file connects the engine to the organ shape: the ball is 
 }
 
 TEST_CASE("another iso level moves the surface through the connection") {
-  Scene scene;
+  CubesScene scene;
   SoEngineOutput* output = nullptr;
   REQUIRE(scene.shape->points.getConnectedEngine(output));
   auto* engine = static_cast<SoMarchingCubes*>(output->getContainer());

@@ -17,16 +17,16 @@ using namespace resect;
 
 namespace {
 
-constexpr int kWidth = 320, kHeight = 200;
+constexpr int kAbdomenWidth = 320, kAbdomenHeight = 200;
 
-struct Bench {
+struct AbdomenView {
   Scenario scenario;
   std::unique_ptr<Simulation> simulation;
   std::unique_ptr<OperationView> view;
-  OffscreenView screen{kWidth, kHeight, 1};
+  OffscreenView screen{kAbdomenWidth, kAbdomenHeight, 1};
 
-  explicit Bench(const std::string& setting, const std::string& from = "surgeon", double turned = 0,
-                 OperationMode mode = OperationMode::Operation) {
+  explicit AbdomenView(const std::string& setting, const std::string& from = "surgeon",
+                       double turned = 0, OperationMode mode = OperationMode::Operation) {
     scenario.mode = mode;
     scenario.organs[0].source.spacing = 0.015;
     scenario.organs[0].source.pose.rotation = rotationAbout(Vec3::UnitY(), turned);
@@ -34,7 +34,8 @@ struct Bench {
     scenario.setting = setting;
     scenario.view = from;
     simulation = std::make_unique<Simulation>(makeSimulation(scenario, &readModel));
-    view = std::make_unique<OperationView>(scenario, *simulation, double(kWidth) / kHeight);
+    view = std::make_unique<OperationView>(scenario, *simulation,
+                                           double(kAbdomenWidth) / kAbdomenHeight);
   }
   RgbImage draw() { return view->draw(screen); }
 };
@@ -67,8 +68,8 @@ int differing(const RgbImage& a, const RgbImage& b) {
 
 TEST_CASE("in the operative field drapes fill the picture round an opening with fat and bowel") {
   for (const double turned : {0.0, 0.9}) {
-    const Shares table = shares(Bench("table", "top", turned).draw());
-    const Shares field = shares(Bench("field", "top", turned).draw());
+    const Shares table = shares(AbdomenView("table", "top", turned).draw());
+    const Shares field = shares(AbdomenView("field", "top", turned).draw());
     INFO("turned ", turned, ": green ", field.green, ", yellow ", field.yellow, ", red ", field.red,
          ", black ", field.black);
     CHECK(table.yellow < 0.002);
@@ -91,7 +92,7 @@ TEST_CASE("the operative field has a part for every shader, and no part without 
 }
 
 TEST_CASE("in the field an instrument is seen in a hand, and not while it is at rest") {
-  Bench bench("field", "top");
+  AbdomenView bench("field", "top");
   OperatingRoom& room = bench.view->room();
   const RgbImage resting = bench.draw();
   const Vec3 over = bench.simulation->organ().rest.lattice.box().centre() + Vec3(0, 0.12, 0);
@@ -104,33 +105,34 @@ TEST_CASE("in the field an instrument is seen in a hand, and not while it is at 
 }
 
 TEST_CASE("after the field the table is as it was, with the instruments on it") {
-  Bench bench("table");
+  AbdomenView bench("table");
   const RgbImage before = bench.draw();
   bench.view->showField(true);
   bench.view->room().changedIn({});
-  CHECK(differing(before, bench.draw()) > kWidth * kHeight / 3);
+  CHECK(differing(before, bench.draw()) > kAbdomenWidth * kAbdomenHeight / 3);
   bench.view->showField(false);
   bench.view->room().changedIn({});
   CHECK(differing(before, bench.draw()) == 0);
 }
 
 TEST_CASE("thesis mode has the table in any setting") {
-  const RgbImage table = Bench("table", "surgeon", 0, OperationMode::Thesis).draw();
-  CHECK(differing(table, Bench("field", "surgeon", 0, OperationMode::Thesis).draw()) == 0);
+  const RgbImage table = AbdomenView("table", "surgeon", 0, OperationMode::Thesis).draw();
+  CHECK(differing(table, AbdomenView("field", "surgeon", 0, OperationMode::Thesis).draw()) == 0);
 }
 
 TEST_CASE("a laparoscope's picture is round, by its own light, below a closed wall") {
   for (const char* setting : {"table", "field"}) {
-    Bench bench(setting);
+    AbdomenView bench(setting);
     OperatingRoom& room = bench.view->room();
     const Aabb box = bench.simulation->organ().rest.lattice.box();
-    room.look(RoomView::Laparoscope, box, double(kWidth) / kHeight);
+    room.look(RoomView::Laparoscope, box, double(kAbdomenWidth) / kAbdomenHeight);
     const RgbImage scope = bench.draw();
-    for (const auto& [x, y] : {std::pair(2, 2), std::pair(kWidth - 3, 2), std::pair(2, kHeight - 3),
-                               std::pair(kWidth - 3, kHeight - 3), std::pair(40, kHeight / 2)})
+    for (const auto& [x, y] :
+         {std::pair(2, 2), std::pair(kAbdomenWidth - 3, 2), std::pair(2, kAbdomenHeight - 3),
+          std::pair(kAbdomenWidth - 3, kAbdomenHeight - 3), std::pair(40, kAbdomenHeight / 2)})
       for (int c = 0; c < 3; ++c) CHECK(scope.at(x, y)[c] == 0);
     const Shares seen = shares(scope);
-    const double round = 3.14159 * 0.25 * 0.97 * 0.97 * kHeight / kWidth;
+    const double round = 3.14159 * 0.25 * 0.97 * 0.97 * kAbdomenHeight / kAbdomenWidth;
     CHECK(1 - seen.black < 1.02 * round);
     if (bench.scenario.setting == "field") {
       CHECK(1 - seen.black > 0.95 * round);  // the wall closes the picture
@@ -139,9 +141,9 @@ TEST_CASE("a laparoscope's picture is round, by its own light, below a closed wa
     }
     CHECK(seen.red > 0.08);
     // The surgeon's view is again as it was.
-    Bench other(setting);
-    room.look(RoomView::Surgeon, box, double(kWidth) / kHeight);
-    other.view->room().look(RoomView::Surgeon, box, double(kWidth) / kHeight);
+    AbdomenView other(setting);
+    room.look(RoomView::Surgeon, box, double(kAbdomenWidth) / kAbdomenHeight);
+    other.view->room().look(RoomView::Surgeon, box, double(kAbdomenWidth) / kAbdomenHeight);
     CHECK(differing(bench.draw(), other.draw()) == 0);
   }
 }

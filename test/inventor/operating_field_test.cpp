@@ -18,7 +18,7 @@
 #include "support/operating_bench.h"
 
 using namespace resect;
-using Bench = test::OperatingBench;
+using test::OperatingBench;
 
 namespace {
 
@@ -67,7 +67,7 @@ TEST_CASE("the surgeon's view is a close-up: the organ fills about half of the p
 }
 
 TEST_CASE("the wheel brings the camera to what is under the pointer, which stays there") {
-  Bench bench;
+  OperatingBench bench;
   bench.session->look(RoomView::Assistant, 1.6);
   const SbVec2s middle =
       bench.session->pixelOf(bench.session->cells().lattice.box().centre(), bench.viewport);
@@ -93,7 +93,7 @@ TEST_CASE("the wheel brings the camera to what is under the pointer, which stays
 }
 
 TEST_CASE("in the field the camera stays above the abdominal wall, on the table it may go lower") {
-  Bench bench(true);
+  OperatingBench bench(true);
   const auto height = [&] {
     bench.session->camera().orbit(0, 4);
     const float* p = bench.session->room().camera()->position.getValue().getValue();
@@ -109,7 +109,7 @@ TEST_CASE("in the field the camera stays above the abdominal wall, on the table 
 }
 
 TEST_CASE("the scale stands beside the organ in every view, and can be hidden") {
-  Bench bench;
+  OperatingBench bench;
   for (int i = 0; i < 24; ++i) {
     bench.session->camera().orbit(0.27, i % 2 ? 0.05 : -0.05);
     bench.button({400, 250}, true, SoMouseButtonEvent::BUTTON5, false,
@@ -133,7 +133,7 @@ TEST_CASE("the scale stands beside the organ in every view, and can be hidden") 
 }
 
 TEST_CASE("a trackball casts no shadow, and the shadow of its instrument follows it") {
-  Bench bench;
+  OperatingBench bench;
   bench.tools().hold(2, ToolHandling::Hold::Trackball);
   bench.settle();
   OperatingRoom& room = bench.session->room();

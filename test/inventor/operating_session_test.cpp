@@ -16,11 +16,10 @@
 #include "support/references/nearest_triangle.h"
 
 using namespace resect;
-
-using Bench = test::OperatingBench;
+using test::OperatingBench;
 
 TEST_CASE("a click on each tool attaches a handle box, a middle click toggles, elsewhere lets go") {
-  Bench bench;
+  OperatingBench bench;
   for (int tool = 0; tool < bench.tools().toolCount(); ++tool) {
     CAPTURE(tool);
     const Pose before = bench.tools().pose(tool);
@@ -41,7 +40,7 @@ TEST_CASE("a click on each tool attaches a handle box, a middle click toggles, e
 }
 
 TEST_CASE("dragging a tool moves it under the pointer; with Shift it turns about its tip") {
-  Bench bench;
+  OperatingBench bench;
   const SbVec2s from = bench.pixelOf(0), to(short(from[0] - 120), short(from[1] + 90));
   bench.drag(from, to);
   REQUIRE(bench.tools().held() == 0);
@@ -57,7 +56,7 @@ TEST_CASE("dragging a tool moves it under the pointer; with Shift it turns about
 }
 
 TEST_CASE("a pick hits what is under the pointer in pictures of any shape") {
-  Bench bench;
+  OperatingBench bench;
   for (const SbVec2s size : {SbVec2s(900, 300), SbVec2s(500, 500), SbVec2s(450, 700)}) {
     CAPTURE(size[0]);
     bench.viewport = SbViewportRegion(size);
@@ -71,7 +70,7 @@ TEST_CASE("a pick hits what is under the pointer in pictures of any shape") {
 }
 
 TEST_CASE("no tool goes through the table") {
-  Bench bench;
+  OperatingBench bench;
   bench.tools().take(0);
   bench.tools().setPose(0, {Vec3(0.3, -0.2, 0.3), bench.tools().pose(0).rotation});
   double lowest = 1;
@@ -82,7 +81,7 @@ TEST_CASE("no tool goes through the table") {
 
 TEST_CASE(
     "a moved tool damages its own pixels and its shadow's, a moved camera the whole picture") {
-  Bench bench;
+  OperatingBench bench;
   bench.tools().take(0);
   bench.session->update();
   bench.settle();
@@ -105,7 +104,7 @@ TEST_CASE(
 }
 
 TEST_CASE("wheel and keys move the tool in hand, in depth and in the view; Escape puts it back") {
-  Bench bench;
+  OperatingBench bench;
   const Pose rest = bench.tools().pose(1);
   REQUIRE(bench.key(SoKeyboardEvent::NUMBER_2));
   REQUIRE(bench.tools().held() == 1);
@@ -133,7 +132,7 @@ TEST_CASE("wheel and keys move the tool in hand, in depth and in the view; Escap
 }
 
 TEST_CASE("a tool that is held cuts, one that lies in the tissue does not") {
-  Bench bench;
+  OperatingBench bench;
   const Vec3 inside = bench.session->cells().lattice.box().centre();
   bench.tools().setPose(2, {inside + Vec3(0, 0.02, 0), Eigen::Quaterniond::Identity()});
   bench.settle();
@@ -149,7 +148,7 @@ TEST_CASE("a tool that is held cuts, one that lies in the tissue does not") {
 }
 
 TEST_CASE("a stroke is taken back with the tool where it was, and done again") {
-  Bench bench;
+  OperatingBench bench;
   const Vec3 inside = bench.session->cells().lattice.box().centre();
   bench.tools().hold(2, ToolHandling::Hold::Direct);
   for (int i = 0; i <= 12; ++i) {
@@ -193,7 +192,7 @@ TEST_CASE("a stroke is taken back with the tool where it was, and done again") {
 }
 
 TEST_CASE("what was recorded plays again, as fast as is asked for, and stands at its end") {
-  Bench bench;
+  OperatingBench bench;
   for (int i = 0; i < 10; ++i) bench.settle();
   const std::int64_t end = bench.session->state().frame;
   bench.session->show({0, 2});
@@ -224,7 +223,7 @@ TEST_CASE("what was recorded plays again, as fast as is asked for, and stands at
 }
 
 TEST_CASE("the picture gets the changed ranges of the surface and nothing else") {
-  Bench bench;
+  OperatingBench bench;
   auto* organ = bench.session->room().organ();
   const int revision = organ->revision.getValue();
   for (int i = 0; i < 5; ++i) bench.settle();
@@ -232,7 +231,7 @@ TEST_CASE("the picture gets the changed ranges of the surface and nothing else")
 }
 
 TEST_CASE("dragging the iso scale changes the level and with it the surface") {
-  Bench bench;
+  OperatingBench bench;
   const auto before = bench.session->state().triangles;
   const SbVec2s at = bench.session->pixelOf(bench.session->iso().handle(), bench.viewport);
   bench.drag(at, {at[0], short(at[1] + 40)});
@@ -244,7 +243,7 @@ TEST_CASE("dragging the iso scale changes the level and with it the surface") {
 }
 
 TEST_CASE("the camera orbits, zooms and pans, and comes home") {
-  Bench bench;
+  OperatingBench bench;
   auto* camera = bench.session->room().camera();
   const SbVec3f home = camera->position.getValue();
   bench.drag({300, 300}, {360, 330}, SoMouseButtonEvent::BUTTON3);
@@ -262,7 +261,7 @@ TEST_CASE("the camera orbits, zooms and pans, and comes home") {
 }
 
 TEST_CASE("a point of the organ is found under a pixel") {
-  Bench bench;
+  OperatingBench bench;
   CHECK(bench.session->cells().lattice.box().padded(0.01).contains(bench.pointOfOrgan()));
 }
 
@@ -277,7 +276,7 @@ double offSurface(OperatingSession& session, const Vec3& point) {
 }  // namespace
 
 TEST_CASE("where tissue was cut away the point under a pixel lies on the wound, not on what was") {
-  Bench bench;
+  OperatingBench bench;
   const auto whole = bench.session->operation().surface().mesh;
   const Vec3 before = bench.pointOfOrgan();
   CHECK(offSurface(*bench.session, before) < 1e-6);
@@ -353,7 +352,7 @@ TEST_CASE("where tissue has moved the point under a pixel lies on the surface as
 
 TEST_CASE(
     "beside the organ the point under a pixel lies on the table, and on the wall there is none") {
-  Bench bench;
+  OperatingBench bench;
   const Vec3 onTable(0, 0, bench.session->cells().lattice.box().max.z() + 0.03);
   const auto under =
       bench.session->pointUnder(bench.session->pixelOf(onTable, bench.viewport), bench.viewport);
@@ -367,7 +366,7 @@ TEST_CASE(
 }
 
 TEST_CASE("C held down closes the scissors in hand, and they open again when it is let go") {
-  Bench bench;
+  OperatingBench bench;
   const auto squeeze = [&](std::int64_t frames) {
     bench.session->operation().waitFor(bench.session->state().frame + frames);
     bench.session->update();
@@ -387,7 +386,7 @@ TEST_CASE("C held down closes the scissors in hand, and they open again when it 
 }
 
 TEST_CASE("a 3D mouse moves and turns what is in hand, and the view when nothing is") {
-  Bench bench;
+  OperatingBench bench;
   bench.tools().take(0);
   const Pose before = bench.tools().pose(0);
   const SbVec3f eye = bench.session->room().camera()->position.getValue();
@@ -487,7 +486,7 @@ TEST_CASE("when a scenario has been played, a hook that holds tissue keeps it") 
 }
 
 TEST_CASE("a drag ends when its tool is put back by a key") {
-  Bench bench;
+  OperatingBench bench;
   const SbVec2s at = bench.pixelOf(0);
   bench.button(at, true, SoMouseButtonEvent::BUTTON1);
   bench.move(SbVec2s(short(at[0] + 20), at[1]));

@@ -23,7 +23,7 @@ using namespace resect;
 
 namespace {
 
-constexpr int kWidth = 320, kHeight = 180;
+constexpr int kPictureWidth = 320, kPictureHeight = 180;
 
 using Colour = std::array<double, 3>;
 
@@ -53,7 +53,7 @@ struct BallOnTable {
     room.setTable(makeModel(boxMesh({{-0.6, -0.02, -0.6}, {0.6, 0, 0.6}})));
     room.setOrgan(ball);
     room.lightUp(box);
-    room.look(RoomView::Top, box, double(kWidth) / kHeight);
+    room.look(RoomView::Top, box, double(kPictureWidth) / kPictureHeight);
   }
   void setCut(float share) {
     setCut([&](const Vec3&) { return share; });
@@ -75,11 +75,11 @@ struct BallOnTable {
 
 TEST_CASE("the organ is reddish, the table is not, and the corners are not empty") {
   BallOnTable scene;
-  OffscreenView view(kWidth, kHeight);
+  OffscreenView view(kPictureWidth, kPictureHeight);
   const RgbImage image = view.render(scene.room.root());
-  REQUIRE(image.width == kWidth);
-  REQUIRE(image.height == kHeight);
-  const Colour organ = mean(image, kWidth / 2, kHeight / 2 + 12);
+  REQUIRE(image.width == kPictureWidth);
+  REQUIRE(image.height == kPictureHeight);
+  const Colour organ = mean(image, kPictureWidth / 2, kPictureHeight / 2 + 12);
   CHECK(organ[0] > 60);
   CHECK(organ[0] > 1.8 * organ[1]);
   CHECK(organ[0] > 1.8 * organ[2]);
@@ -92,8 +92,8 @@ TEST_CASE("the more careful a picture is drawn, the nearer it is to one of very 
   BallOnTable scene;
   const auto drawn = [&](PictureQuality quality) {
     quality.shadowTexels = 1024;  // the shadow is not what is compared
-    OffscreenView view(kWidth, kHeight, quality);
-    CHECK(view.width() == kWidth);
+    OffscreenView view(kPictureWidth, kPictureHeight, quality);
+    CHECK(view.width() == kPictureWidth);
     return view.render(scene.room.root());
   };
   const RgbImage best = drawn({.samples = 4, .enlarged = 4});
@@ -116,11 +116,13 @@ TEST_CASE("the more careful a picture is drawn, the nearer it is to one of very 
 
 TEST_CASE("cut tissue differs from the capsule at one glance") {
   BallOnTable scene;
-  OffscreenView view(kWidth, kHeight);
+  OffscreenView view(kPictureWidth, kPictureHeight);
   scene.setCut(0.0f);
-  const Colour capsule = mean(view.render(scene.room.root()), kWidth / 2, kHeight / 2 + 12, 6);
+  const Colour capsule =
+      mean(view.render(scene.room.root()), kPictureWidth / 2, kPictureHeight / 2 + 12, 6);
   scene.setCut(1.0f);
-  const Colour cut = mean(view.render(scene.room.root()), kWidth / 2, kHeight / 2 + 12, 6);
+  const Colour cut =
+      mean(view.render(scene.room.root()), kPictureWidth / 2, kPictureHeight / 2 + 12, 6);
   INFO(fmt::format("capsule {} {} {}, cut {} {} {}", capsule[0], capsule[1], capsule[2], cut[0],
                    cut[1], cut[2]));
   // A just noticeable difference is about 3 of 255; ten times that is seen without looking for it.
@@ -132,16 +134,16 @@ TEST_CASE("cut tissue differs from the capsule at one glance") {
 
 TEST_CASE("the rim of a cut whose lips touch is a thin dark line") {
   BallOnTable scene;
-  OffscreenView view(kWidth, kHeight);
+  OffscreenView view(kPictureWidth, kPictureHeight);
   scene.setCut(0.0f);
   const RgbImage whole = view.render(scene.room.root());
   // Along the meridian of the ball in the plane x = 0.
   scene.setCut([](const Vec3& p) { return std::abs(p.x()) < 1e-6 ? -1.0f : 0.0f; });
   const RgbImage line = view.render(scene.room.root());
   int dark = 0, widest = 0;
-  for (int y = kHeight / 2 + 10; y < kHeight / 2 + 30; ++y) {
+  for (int y = kPictureHeight / 2 + 10; y < kPictureHeight / 2 + 30; ++y) {
     int here = 0;
-    for (int x = kWidth / 2 - 20; x <= kWidth / 2 + 20; ++x)
+    for (int x = kPictureWidth / 2 - 20; x <= kPictureWidth / 2 + 20; ++x)
       here += line.at(x, y)[0] + 12 < whole.at(x, y)[0];
     dark += here > 0;
     widest = std::max(widest, here);
@@ -152,13 +154,14 @@ TEST_CASE("the rim of a cut whose lips touch is a thin dark line") {
 
 TEST_CASE("the organ casts a shadow on the table, away from the lamp") {
   BallOnTable scene;
-  OffscreenView view(kWidth, kHeight);
+  OffscreenView view(kPictureWidth, kPictureHeight);
   const RgbImage with = view.render(scene.room.root());
   scene.room.setOrgan({});
   const RgbImage without = view.render(scene.room.root());
   // The lamp hangs at -X: the shadow falls to the right of the ball, whose outline is 27 pixels
   // from the middle.
-  const int y = kHeight / 2, shadow = kWidth / 2 + 33, light = kWidth / 2 - 100;
+  const int y = kPictureHeight / 2, shadow = kPictureWidth / 2 + 33,
+            light = kPictureWidth / 2 - 100;
   CHECK(brightness(mean(with, shadow, y)) < 0.8 * brightness(mean(without, shadow, y)));
   CHECK(brightness(mean(with, light, y)) ==
         doctest::Approx(brightness(mean(without, light, y))).epsilon(0.08));
@@ -166,9 +169,9 @@ TEST_CASE("the organ casts a shadow on the table, away from the lamp") {
 
 TEST_CASE("the shadow moves with the lamp") {
   BallOnTable scene;
-  OffscreenView view(kWidth, kHeight);
+  OffscreenView view(kPictureWidth, kPictureHeight);
   const RgbImage first = view.render(scene.room.root());
-  const int y = kHeight / 2, left = kWidth / 2 - 33, right = kWidth / 2 + 33;
+  const int y = kPictureHeight / 2, left = kPictureWidth / 2 - 33, right = kPictureWidth / 2 + 33;
   CHECK(brightness(mean(first, right, y)) < 0.8 * brightness(mean(first, left, y)));
   scene.room.moveLamp(LampPlace::PatientsLeft);
   const RgbImage moved = view.render(scene.room.root());
@@ -187,10 +190,10 @@ TEST_CASE("the shadow moves with the lamp") {
 
 TEST_CASE("the same scene gives the same bytes, again and in a new view") {
   BallOnTable scene;
-  OffscreenView view(kWidth, kHeight);
+  OffscreenView view(kPictureWidth, kPictureHeight);
   const RgbImage first = view.render(scene.room.root());
   CHECK(view.render(scene.room.root()).pixels == first.pixels);
-  OffscreenView other(kWidth, kHeight);
+  OffscreenView other(kPictureWidth, kPictureHeight);
   CHECK(other.render(scene.room.root()).pixels == first.pixels);
   BallOnTable again;
   CHECK(other.render(again.room.root()).pixels == first.pixels);
@@ -226,11 +229,11 @@ TEST_CASE("every material of the room compiles and differs from the others") {
   room.setOrgan(sphereMesh({0, 0.04, 0}, 0.04));
   room.addTissue(sphereMesh({0, 0.02, 0.08}, 0.02), {0.3f, 0.4f, 0.2f});
   room.lightUp(box);
-  OffscreenView view(kWidth, kHeight);
+  OffscreenView view(kPictureWidth, kPictureHeight);
   for (const char* name : {"surgeon", "assistant", "top", "laparoscope"}) {
     const auto named = roomView(name);
     REQUIRE(named);
-    room.look(*named, box, double(kWidth) / kHeight);
+    room.look(*named, box, double(kPictureWidth) / kPictureHeight);
     CHECK_NOTHROW(view.render(room.root()));
   }
   CHECK(!roomView("ceiling"));
@@ -241,7 +244,7 @@ TEST_CASE("a tool moves in the picture when its pose does, and back again") {
   const int tool = scene.room.addTool(makeModel(boxMesh({{-0.01, -0.01, 0}, {0.01, 0.01, 0.1}})));
   const Pose rest{Vec3(-0.15, 0.02, 0), Eigen::Quaterniond::Identity()};
   const Pose moved{Vec3(-0.12, 0.05, 0), Eigen::Quaterniond::Identity()};
-  OffscreenView view(kWidth, kHeight);
+  OffscreenView view(kPictureWidth, kPictureHeight);
   scene.room.setToolPose(tool, rest);
   const RgbImage first = view.render(scene.room.root());
   scene.room.setToolPose(tool, moved);

@@ -10,10 +10,10 @@
 #include "support/temporary_folder.h"
 
 using namespace resect;
-using Bench = test::OperatingBench;
+using test::OperatingBench;
 
 TEST_CASE("a scene that is saved comes back with organ, tools and camera") {
-  Bench bench;
+  OperatingBench bench;
   const test::TemporaryFolder folder;
   const auto file = folder / "scene.iv";
   bench.tools().setPose(1, {Vec3(0.1, 0.2, 0.05), toolBoxPlace(1).rotation});

@@ -16,7 +16,7 @@ using namespace resect;
 
 namespace {
 
-constexpr int kWidth = 480, kHeight = 270;
+constexpr int kShadeWidth = 480, kShadeHeight = 270;
 const Vec3 kCentre(0, 0.07, 0);
 
 // A map of texels of 1 cm, that are {255, 0} where the place's x is within [from, to], else 0.
@@ -52,13 +52,13 @@ SurfaceUpdate richBall() {
   return update;
 }
 
-std::vector<std::uint32_t> drawn(OperatingRoom& room) {
+std::vector<std::uint32_t> drawnPixels(OperatingRoom& room) {
   LivePicture picture;
   picture.setProcessorDraws(true);
   picture.setSharp(true);
-  picture.draw(room.root(), *room.camera(), {true, {}, {}}, {kWidth, kHeight});
-  std::vector<std::uint32_t> pixels(std::size_t(kWidth) * kHeight);
-  picture.read({0, 0, kWidth, kHeight}, pixels.data(), kWidth);
+  picture.draw(room.root(), *room.camera(), {true, {}, {}}, {kShadeWidth, kShadeHeight});
+  std::vector<std::uint32_t> pixels(std::size_t(kShadeWidth) * kShadeHeight);
+  picture.read({0, 0, kShadeWidth, kShadeHeight}, pixels.data(), kShadeWidth);
   return pixels;
 }
 
@@ -98,16 +98,16 @@ TEST_CASE("tissue that is shaded as plain looks as it would if all of it were sh
   room.organ(0)->update(richBall());
   const Aabb box{{-0.1, 0, -0.1}, {0.1, 0.14, 0.1}};
   room.lightUp(box);
-  room.look(RoomView::Surgeon, box, double(kWidth) / kHeight);
-  const auto parted = drawn(room);
+  room.look(RoomView::Surgeon, box, double(kShadeWidth) / kShadeHeight);
+  const auto parted = drawnPixels(room);
   std::vector<std::uint32_t> allRich, allPlain;
   {
     const OtherMarks marks("gl_FragColor = vec4(1.0);");
-    allRich = drawn(room);
+    allRich = drawnPixels(room);
   }
   {
     const OtherMarks marks("discard;");
-    allPlain = drawn(room);
+    allPlain = drawnPixels(room);
   }
   CHECK(different(parted, allRich) == 0);
   CHECK(different(parted, allPlain) > 2000);  // cut, blood, heat and tumour

@@ -13,14 +13,14 @@ using namespace resect;
 namespace {
 
 // A ball on a table, a tool over it.
-struct Scene {
+struct ShadowScene {
   OperatingRoom room;
   Aabb box{{-0.15, 0, -0.15}, {0.15, 0.14, 0.15}};
   std::vector<Vec3f> points, normals;
   TriangleMesh ball = sphereMesh({0, 0.07, 0}, 0.07, 24);
   int tool;
 
-  Scene() {
+  ShadowScene() {
     room.setTable(makeModel(boxMesh({{-0.6, -0.02, -0.6}, {0.6, 0, 0.6}})));
     room.setOrgan(ball);
     for (const Vec3& p : ball.points) {
@@ -54,7 +54,7 @@ struct Scene {
 
 TEST_CASE("shadows drawn anew where a tool was and is are those drawn anew everywhere") {
   OffscreenView view(480, 270, 1);
-  Scene told, untold;
+  ShadowScene told, untold;
   const RgbImage before = view.render(told.room.root());
   CHECK(view.render(untold.room.root()).pixels == before.pixels);
   told.room.changedIn(told.room.toolBounds(told.tool));
@@ -71,7 +71,7 @@ TEST_CASE("shadows drawn anew where a tool was and is are those drawn anew every
 
 TEST_CASE("shadows drawn anew where the organ has changed are those drawn anew everywhere") {
   OffscreenView view(480, 270, 1);
-  Scene told, untold;
+  ShadowScene told, untold;
   const RgbImage before = view.render(told.room.root());
   view.render(untold.room.root());
   told.dent();

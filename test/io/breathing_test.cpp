@@ -13,7 +13,8 @@ Scenario parsed(const std::string& breathing, const std::string& model = "elasti
                            "\"\n[breathing]\n" + breathing + "\n",
                        "x.toml");
 }
-std::string complaint(const std::string& breathing, const std::string& model = "elastic") {
+std::string complaintOfBreathing(const std::string& breathing,
+                                 const std::string& model = "elastic") {
   return test::sentenceOf([&] { parsed(breathing, model); });
 }
 
@@ -41,13 +42,13 @@ TEST_CASE("breathing that nobody breathes is refused with file, line and key") {
         "depth = 0.01\nper_minute = -12", "depth = 0.01\nbed = 1.5", "depth = 0.01\nbegins = 1",
         "per_minute = 12", "depth = 0.01\nrate = 12"}) {
     CAPTURE(wrong);
-    const std::string sentence = complaint(wrong);
+    const std::string sentence = complaintOfBreathing(wrong);
     CAPTURE(sentence);
     CHECK(test::isRefusalOf("x.toml:", "", sentence));
   }
-  CHECK(test::tells(complaint("depth = \"200mm\""), "60 mm"));
-  CHECK(test::tells(complaint("depth = 0.01\nper_minute = 1000"), "60"));
-  CHECK(test::tells(complaint("depth = 0.01", "still"), "elastic"));
+  CHECK(test::tells(complaintOfBreathing("depth = \"200mm\""), "60 mm"));
+  CHECK(test::tells(complaintOfBreathing("depth = 0.01\nper_minute = 1000"), "60"));
+  CHECK(test::tells(complaintOfBreathing("depth = 0.01", "still"), "elastic"));
 }
 
 TEST_CASE("breathing that a program sets is checked as well") {

@@ -12,10 +12,12 @@
 #include "organ/discretize.h"
 #include "organ/fit_surface.h"
 #include "support/block_organ.h"
+#include "support/malformed/replaced.h"
 #include "support/sentence.h"
 #include "support/temporary_folder.h"
 
 using namespace resect;
+using test::replaced;
 
 namespace {
 
@@ -43,7 +45,7 @@ bool sameBits(const Vec3& a, const Vec3& b) {
   return sameBits(a.x(), b.x()) && sameBits(a.y(), b.y()) && sameBits(a.z(), b.z());
 }
 
-void checkSame(const KeptCells& a, const KeptCells& b) {
+void checkSameCells(const KeptCells& a, const KeptCells& b) {
   CHECK(sameBits(a.cells.lattice.origin, b.cells.lattice.origin));
   CHECK(sameBits(a.cells.lattice.spacing, b.cells.lattice.spacing));
   CHECK(a.cells.lattice.dims == b.cells.lattice.dims);
@@ -63,14 +65,8 @@ void checkSame(const KeptCells& a, const KeptCells& b) {
   CHECK(sameBits(a.origin.unit, b.origin.unit));
 }
 
-std::string complaint(const std::string& bytes) {
+std::string complaintOfCells(const std::string& bytes) {
   return test::sentenceOf([&] { parseCells(bytes, "organ.resect-cells"); });
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const auto at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
 }
 
 // The same with a checksum that fits, so that what lies behind it is reached.
@@ -85,12 +81,12 @@ TEST_CASE("cells come back from their file bit for bit, with labels, names, land
   const KeptCells kept = smallOrgan();
   const std::string bytes = formatCells(kept);
   const KeptCells again = parseCells(bytes, "again");
-  checkSame(kept, again);
+  checkSameCells(kept, again);
   CHECK(formatCells(again) == bytes);
   const test::TemporaryFolder folder;
   writeCells(folder / "organ.resect-cells", kept);
   CHECK(test::bytesOf(folder / "organ.resect-cells") == bytes);
-  checkSame(kept, readCells(folder / "organ.resect-cells"));
+  checkSameCells(kept, readCells(folder / "organ.resect-cells"));
   CHECK_THROWS_AS(readCells(folder / "another.resect-cells"), Error);
   CHECK_THROWS_AS(readCells(folder.path()), Error);
 }
@@ -105,15 +101,15 @@ TEST_CASE("vessels come back from a file of cells, and the files that it was mad
                         {"t.stl", "tumour", "", ""}};
   const std::string bytes = formatCells(kept);
   const KeptCells again = parseCells(bytes, "again");
-  checkSame(kept, again);
+  checkSameCells(kept, again);
   CHECK(again.origin.inputs == kept.origin.inputs);
   REQUIRE(again.vessels.segments.size() == 3);
   CHECK(again.vessels.range(VesselKind::PortalVein).count == 2);
   CHECK((again.vessels.segments[1].end - Vec3(0.02, 0.01, 0.02)).norm() < 1e-12);
   CHECK(again.vessels.segments[1].leaf);
   CHECK(formatCells(again) == bytes);
-  CHECK(complaint(summed(replaced(bytes, "portal-vein 2", "portal-vein 7"))) != "");
-  CHECK(complaint(summed(replaced(bytes, "vessel_bytes = ", "vessel_bytes = 9"))) != "");
+  CHECK(complaintOfCells(summed(replaced(bytes, "portal-vein 2", "portal-vein 7"))) != "");
+  CHECK(complaintOfCells(summed(replaced(bytes, "vessel_bytes = ", "vessel_bytes = 9"))) != "");
 }
 
 TEST_CASE("cells with values that are no levels, without labels and particles come back too") {
@@ -121,11 +117,11 @@ TEST_CASE("cells with values that are no levels, without labels and particles co
   kept.cells = test::noise({7, 5, 3}, 4);
   kept.cells.skinScale = 1.0 / 3;
   CHECK_FALSE(kept.cells.value.areLevels());
-  checkSame(kept, parseCells(formatCells(kept), "x"));
+  checkSameCells(kept, parseCells(formatCells(kept), "x"));
   kept.cells = test::fill({300, 200, 1}, 0.001, [](const Vec3i&) { return 0.0; });
   kept.cells.lattice.spacing = {1e-5, 0.1, 1.0 / 3};
   CHECK(formatCells(kept).size() < 400);
-  checkSame(kept, parseCells(formatCells(kept), "x"));
+  checkSameCells(kept, parseCells(formatCells(kept), "x"));
 }
 
 TEST_CASE("runs of any length come back, and what is no whole run is refused") {
@@ -154,11 +150,11 @@ TEST_CASE("runs of any length come back, and what is no whole run is refused") {
 TEST_CASE("a file cut off at any byte is refused in one sentence that names it") {
   const std::string bytes = formatCells(smallOrgan());
   for (std::size_t size = 0; size < bytes.size(); ++size) {
-    const std::string text = complaint(bytes.substr(0, size));
+    const std::string text = complaintOfCells(bytes.substr(0, size));
     if (text.find("organ.resect-cells: ") != 0 || text.find('\n') != text.npos)
       FAIL("cut off at ", size, ": ", text);
   }
-  CHECK(complaint(bytes) == "");
+  CHECK(complaintOfCells(bytes) == "");
 }
 
 TEST_CASE("a file with any bit changed is refused") {
@@ -166,7 +162,7 @@ TEST_CASE("a file with any bit changed is refused") {
   for (std::size_t at = 0; at < bytes.size(); ++at) {
     std::string changed = bytes;
     changed[at] = char(changed[at] ^ (1 << at % 8));
-    const std::string text = complaint(changed);
+    const std::string text = complaintOfCells(changed);
     if (text.find("organ.resect-cells: ") != 0 || text.find('\n') != text.npos)
       FAIL("changed at ", at, ": ", text);
   }
@@ -219,7 +215,7 @@ TEST_CASE(
 TEST_CASE("every lie of a header is told") {
   const std::string bytes = formatCells(smallOrgan());
   const auto lie = [&](const std::string& from, const std::string& to) {
-    return complaint(summed(replaced(bytes, from, to)));
+    return complaintOfCells(summed(replaced(bytes, from, to)));
   };
   CHECK(lie("resect-cells 1", "resect-cells 2").find("later version") != std::string::npos);
   CHECK(lie("resect-cells 1", "resect-calls 1").find("holds no cells") != std::string::npos);

@@ -13,9 +13,11 @@
 #include "geometry/primitives.h"
 #include "organ/discretize.h"
 #include "sph/lattice_extent.h"
+#include "support/malformed/replaced.h"
 #include "support/sentence.h"
 
 using namespace resect;
+using test::replaced;
 
 namespace {
 
@@ -31,18 +33,12 @@ const std::string kThesis =
     "1 -223.281 223.281 39.7075 100\n"
     "2 -182.187 223.281 39.7075 100\n";
 
-std::string replaced(std::string text, const std::string& what, const std::string& with) {
-  const auto at = text.find(what);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, what.size(), with);
-}
-
 // The sentence of the Error that parsing throws; empty if it throws none.
-std::string refusal(const std::string& text) {
+std::string refusalOfDiscretization(const std::string& text) {
   return test::sentenceOf([&] { parseDiscretization(text, "organ.dis"); });
 }
 
-bool sameBits(const Discretization& a, const Discretization& b) {
+bool sameDiscretization(const Discretization& a, const Discretization& b) {
   return a.lattice.origin == b.lattice.origin && a.lattice.spacing == b.lattice.spacing &&
          a.lattice.dims == b.lattice.dims && a.value == b.value && a.inside == b.inside;
 }
@@ -93,7 +89,7 @@ TEST_CASE("what is written is read back bit for bit, skin cells included") {
     CHECK(skin > 0);
     const std::string text = formatDiscretization(d);
     const Discretization again = parseDiscretization(text, "again");
-    CHECK(sameBits(d, again));
+    CHECK(sameDiscretization(d, again));
     CHECK(text == formatDiscretization(again));
   }
 }
@@ -103,7 +99,7 @@ TEST_CASE("a file on disk keeps its bits") {
   const TriangleMesh mesh = tiltedTorus();
   const Discretization d = discretize(mesh, latticeForSpacing(bounds(mesh), 0.006));
   writeDiscretization(path, d);
-  CHECK(sameBits(d, readDiscretization(path)));
+  CHECK(sameDiscretization(d, readDiscretization(path)));
   std::filesystem::remove(path);
   CHECK_THROWS_AS(readDiscretization(path), Error);
   CHECK_THROWS_AS(readDiscretization(path.parent_path()), Error);
@@ -130,22 +126,23 @@ TEST_CASE("an organ without particles is a file without rows") {
   d.lattice = settled({{0.1, 0.2, 0.3}, {0.1, 0.1, 0.1}, {2, 2, 2}});
   d.value = ColourValues(8);
   d.inside.assign(8, 0);
-  CHECK(sameBits(d, parseDiscretization(formatDiscretization(d), "empty")));
+  CHECK(sameDiscretization(d, parseDiscretization(formatDiscretization(d), "empty")));
 }
 
 TEST_CASE("blank lines at the end and line ends of other systems do no harm") {
-  CHECK(refusal(kThesis + "\n  \n") == "");
+  CHECK(refusalOfDiscretization(kThesis + "\n  \n") == "");
   std::string dos;
   for (const char c : kThesis) dos += c == '\n' ? std::string("\r\n") : std::string(1, c);
-  CHECK(refusal(dos) == "");
-  CHECK(refusal(kThesis.substr(0, kThesis.size() - 1)) == "");
+  CHECK(refusalOfDiscretization(dos) == "");
+  CHECK(refusalOfDiscretization(kThesis.substr(0, kThesis.size() - 1)) == "");
 }
 
 TEST_CASE("lines that end in \\r alone are lines, in messages too") {
   std::string old = kThesis;
   std::ranges::replace(old, '\n', '\r');
   CHECK(parseDiscretization(old, "a.dis").particleCount() == 3);
-  CHECK(refusal(replaced(old, "39.7075 100\r2", "39.7075 x\r2")).starts_with("organ.dis:8: \"x\""));
+  CHECK(refusalOfDiscretization(replaced(old, "39.7075 100\r2", "39.7075 x\r2"))
+            .starts_with("organ.dis:8: \"x\""));
 }
 
 TEST_CASE("cells that would lie nowhere are neither read nor written") {
@@ -200,14 +197,15 @@ TEST_CASE("whatever is wrong is refused with its line") {
       {"1 -223.281 223.281 39.7075 100", "1 -223.281 223.281 39.7075 0", "organ.dis:8:"},
   };
   for (const auto& c : cases) {
-    const std::string sentence = refusal(replaced(kThesis, c.what, c.with));
+    const std::string sentence = refusalOfDiscretization(replaced(kThesis, c.what, c.with));
     CHECK_MESSAGE(sentence.starts_with(c.where), c.with << " -> " << sentence);
     CHECK(sentence.size() < 300);
     CHECK(sentence.find('\n') == std::string::npos);
   }
-  CHECK(refusal(kThesis + "more\n").starts_with("organ.dis:10:"));
-  CHECK(refusal(kThesis + "3 -141.094 223.281 39.7075 100\n").starts_with("organ.dis:10:"));
-  CHECK(refusal("").starts_with("organ.dis:1:"));
+  CHECK(refusalOfDiscretization(kThesis + "more\n").starts_with("organ.dis:10:"));
+  CHECK(refusalOfDiscretization(kThesis + "3 -141.094 223.281 39.7075 100\n")
+            .starts_with("organ.dis:10:"));
+  CHECK(refusalOfDiscretization("").starts_with("organ.dis:1:"));
   CHECK_THROWS_AS(parseDiscretization(kThesis, "unit", 0), Error);
   CHECK_THROWS_AS(parseDiscretization(kThesis, "unit", -0.001), Error);
 }

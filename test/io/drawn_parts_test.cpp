@@ -13,7 +13,7 @@ using namespace resect;
 namespace {
 
 const Jaws kJaws{{0, 0, 0.05}, Vec3::UnitX(), 0.5};
-const TriangleMesh kBox = boxMesh({{-0.01, 0, 0}, {0.01, 0.005, 0.05}});
+const TriangleMesh kBoxMesh = boxMesh({{-0.01, 0, 0}, {0.01, 0.005, 0.05}});
 
 TriangleMesh turned(TriangleMesh mesh, double angle) {
   const Eigen::Quaterniond turn = rotationAbout(kJaws.axis, angle);
@@ -36,28 +36,29 @@ double farthest(const TriangleMesh& a, const TriangleMesh& b) {
 }  // namespace
 
 TEST_CASE("open jaws are kept closed, with the angle that opens them, and other parts stay") {
-  const auto parts = drawn(
-      {{"JawUpper", turned(kBox, 0.25)}, {"JawLower_1", turned(kBox, -0.25)}, {"Handle", kBox}});
+  const auto parts = drawn({{"JawUpper", turned(kBoxMesh, 0.25)},
+                            {"JawLower_1", turned(kBoxMesh, -0.25)},
+                            {"Handle", kBoxMesh}});
   REQUIRE(parts.size() == 3);
   CHECK(parts[0].opens == doctest::Approx(0.25));
   CHECK(parts[1].opens == doctest::Approx(-0.25));
   CHECK(parts[2].opens == 0);
   for (const DrawnPart& part : parts) {
-    CHECK(farthest(part.mesh, kBox) < 1e-15);
+    CHECK(farthest(part.mesh, kBoxMesh) < 1e-15);
     CHECK(part.closed);
   }
 }
 
 TEST_CASE(
     "without an opening a part is no jaw, whatever its name; with one, a third jaw is refused") {
-  CHECK(drawn({{"JawUpper", kBox}}, Jaws())[0].opens == 0);
-  CHECK(drawn({{"Jawbone", kBox}}, Jaws())[0].opens == 0);
-  CHECK(test::refuses([] { drawn({{"Jawbone", kBox}}); }, "'Jawbone'"));
+  CHECK(drawn({{"JawUpper", kBoxMesh}}, Jaws())[0].opens == 0);
+  CHECK(drawn({{"Jawbone", kBoxMesh}}, Jaws())[0].opens == 0);
+  CHECK(test::refuses([] { drawn({{"Jawbone", kBoxMesh}}); }, "'Jawbone'"));
 }
 
 TEST_CASE(
     "normals of a file stay with its points and turn with a jaw; a part that lacks one has none") {
-  ModelPart part{"JawUpper", turned(kBox, 0.25)};
+  ModelPart part{"JawUpper", turned(kBoxMesh, 0.25)};
   part.mesh.triangles.push_back(part.mesh.triangles[0]);  // welding would not change the points
   const Vec3f up = (rotationAbout(kJaws.axis, 0.25) * Vec3::UnitY()).cast<float>();
   part.normals.assign(part.mesh.points.size(), up);
@@ -70,26 +71,26 @@ TEST_CASE(
 
 TEST_CASE("points that a format repeats become one, so that normals can be smooth") {
   TriangleMesh soup;
-  for (const Triangle& t : kBox.triangles) {
+  for (const Triangle& t : kBoxMesh.triangles) {
     const auto n = std::int32_t(soup.points.size());
-    for (const std::int32_t v : t) soup.points.push_back(kBox.points[std::size_t(v)]);
+    for (const std::int32_t v : t) soup.points.push_back(kBoxMesh.points[std::size_t(v)]);
     soup.triangles.push_back({n, n + 1, n + 2});
   }
-  CHECK(drawn({{"", soup}})[0].mesh.points.size() == kBox.points.size());
+  CHECK(drawn({{"", soup}})[0].mesh.points.size() == kBoxMesh.points.size());
 }
 
 TEST_CASE("a closed part that is inside out is turned, an open one is drawn as it is") {
-  TriangleMesh inside = kBox;
+  TriangleMesh inside = kBoxMesh;
   flip(inside);
   const auto parts = drawn({{"a", inside}});
   CHECK(volume(parts[0].mesh) > 0);
   CHECK(parts[0].closed);
-  TriangleMesh open = kBox;
+  TriangleMesh open = kBoxMesh;
   open.triangles.pop_back();
   CHECK_FALSE(drawn({{"a", open}})[0].closed);
 }
 
 TEST_CASE("a part of needles without any area left is not drawn") {
   const TriangleMesh point{{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}, {{0, 1, 2}}};
-  CHECK(drawn({{"a", point}, {"b", kBox}}).size() == 1);
+  CHECK(drawn({{"a", point}, {"b", kBoxMesh}}).size() == 1);
 }

@@ -8,15 +8,17 @@
 #include "io/scenario/scenario_file.h"
 #include "operation/run.h"
 #include "organ/cell_labels.h"
+#include "support/malformed/refused_scenario.h"
 #include "support/sentence.h"
 #include "support/temporary_folder.h"
 #include "tissue/elastic/elastic_tissue.h"
 
 using namespace resect;
+using test::complaintOfScenario;
 
 namespace {
 
-const std::string kStart = R"(title = "Labels"
+const std::string kLabelsStart = R"(title = "Labels"
 duration = 0.1
 [organ]
 spacing = "10mm"
@@ -45,10 +47,6 @@ young = 20000
 density = 1500
 )";
 
-std::string complaint(const std::string& text) {
-  return test::sentenceOf([&] { parseScenario(text, "x.toml"); });
-}
-
 std::string complaintOfSetup(const std::string& text) {
   return test::sentenceOf([&] {
     Scenario scenario = parseScenario(text, "x.toml");
@@ -59,7 +57,7 @@ std::string complaintOfSetup(const std::string& text) {
 }  // namespace
 
 TEST_CASE("a scenario says which cells are labelled and what labels are of") {
-  const Scenario s = parseScenario(kStart + kLabels + kMaterials, "x.toml");
+  const Scenario s = parseScenario(kLabelsStart + kLabels + kMaterials, "x.toml");
   REQUIRE(s.organs[0].source.labels.size() == 2);
   CHECK(s.organs[0].source.labels[0].label == 7);
   CHECK(s.organs[0].source.labels[0].name == "tumour");
@@ -77,56 +75,71 @@ TEST_CASE("a scenario says which cells are labelled and what labels are of") {
 
 TEST_CASE("a wrong region, label or material is refused with its line and key") {
   const std::string label = "[[organ.label]]\nlabel = 1\n";
-  CHECK(test::tells(complaint(kStart + label), "box is missing or not two corners"));
-  CHECK(test::tells(complaint(kStart + "[[organ.label]]\ndepth = [0, 1]\n"), "label is missing"));
-  CHECK(test::tells(complaint(kStart + "[[organ.label]]\nlabel = 0\ndepth = [0, 1]\n"),
-                    "x.toml:6: organ.label[1].label is no whole number from 1 to 255"));
-  CHECK(test::tells(complaint(kStart + label + "centre = [0, 0, 0]\n"), "radius is missing"));
-  CHECK(test::tells(complaint(kStart + label + "at = \"a\"\ncentre = [0, 0, 0]\nradius = 0.1\n"),
-                    "keep one of"));
-  CHECK(test::tells(complaint(kStart + label + "radius = 0.1\n"), "belongs to a ball"));
-  CHECK(test::tells(complaint(kStart + label + "depth = [0.1, 0]\n"), "the lesser first"));
-  CHECK(test::tells(complaint(kStart + label + "depth = [0, inf]\n"), "no number from 0 to 10"));
-  CHECK(test::tells(complaint(kStart + label + "depth = 3\n"), "no list of numbers"));
-  CHECK(test::tells(complaint(kStart + label + "depth = [0, 1]\nframe = \"organ\"\n"),
-                    "leave it out"));
-  CHECK(test::tells(complaint(kStart + label + "depth = [0, 1]\nbax = 1\n"), "is not known here"));
-  CHECK(test::tells(complaint(kStart + label + "box = [[0, 0, 0], [1, 1, 1]]\nframe = \"mars\"\n"),
+  CHECK(
+      test::tells(complaintOfScenario(kLabelsStart + label), "box is missing or not two corners"));
+  CHECK(test::tells(complaintOfScenario(kLabelsStart + "[[organ.label]]\ndepth = [0, 1]\n"),
+                    "label is missing"));
+  CHECK(test::tells(
+      complaintOfScenario(kLabelsStart + "[[organ.label]]\nlabel = 0\ndepth = [0, 1]\n"),
+      "x.toml:6: organ.label[1].label is no whole number from 1 to 255"));
+  CHECK(test::tells(complaintOfScenario(kLabelsStart + label + "centre = [0, 0, 0]\n"),
+                    "radius is missing"));
+  CHECK(test::tells(
+      complaintOfScenario(kLabelsStart + label + "at = \"a\"\ncentre = [0, 0, 0]\nradius = 0.1\n"),
+      "keep one of"));
+  CHECK(test::tells(complaintOfScenario(kLabelsStart + label + "radius = 0.1\n"),
+                    "belongs to a ball"));
+  CHECK(test::tells(complaintOfScenario(kLabelsStart + label + "depth = [0.1, 0]\n"),
+                    "the lesser first"));
+  CHECK(test::tells(complaintOfScenario(kLabelsStart + label + "depth = [0, inf]\n"),
+                    "no number from 0 to 10"));
+  CHECK(
+      test::tells(complaintOfScenario(kLabelsStart + label + "depth = 3\n"), "no list of numbers"));
+  CHECK(
+      test::tells(complaintOfScenario(kLabelsStart + label + "depth = [0, 1]\nframe = \"organ\"\n"),
+                  "leave it out"));
+  CHECK(test::tells(complaintOfScenario(kLabelsStart + label + "depth = [0, 1]\nbax = 1\n"),
+                    "is not known here"));
+  CHECK(test::tells(complaintOfScenario(kLabelsStart + label +
+                                        "box = [[0, 0, 0], [1, 1, 1]]\nframe = \"mars\"\n"),
                     "use \"world\" or \"organ\""));
-  CHECK(test::tells(complaint(kStart + "[organ.landmark]\nx = [0, 1]\n"), "three finite numbers"));
-  CHECK(test::tells(complaint(kStart + label + "depth = [0, 1]\nname = \"a\"\n" + label +
-                              "depth = [0, 1]\nname = \"b\"\n"),
+  CHECK(test::tells(complaintOfScenario(kLabelsStart + "[organ.landmark]\nx = [0, 1]\n"),
+                    "three finite numbers"));
+  CHECK(test::tells(complaintOfScenario(kLabelsStart + label + "depth = [0, 1]\nname = \"a\"\n" +
+                                        label + "depth = [0, 1]\nname = \"b\"\n"),
                     "a label has one name"));
   CHECK(test::tells(
-      complaint(kStart + "[[tissue.material]]\nlabel = 1\n[[tissue.material]]\nlabel = 1\n"),
+      complaintOfScenario(kLabelsStart +
+                          "[[tissue.material]]\nlabel = 1\n[[tissue.material]]\nlabel = 1\n"),
       "keep one of the two"));
-  CHECK(test::tells(complaint(kStart + "[[tissue.material]]\nyoung = 1000\n"), "label is missing"));
+  CHECK(test::tells(complaintOfScenario(kLabelsStart + "[[tissue.material]]\nyoung = 1000\n"),
+                    "label is missing"));
 }
 
 TEST_CASE("a label that marks nothing and a material that nothing has are one clear sentence") {
-  CHECK(complaintOfSetup(kStart + kLabels + kMaterials) == "");
-  CHECK(test::tells(complaintOfSetup(kStart + "[[organ.label]]\nlabel = 4\nname = \"cyst\"\n"
-                                              "box = [[5, 5, 5], [6, 6, 6]]\n"),
+  CHECK(complaintOfSetup(kLabelsStart + kLabels + kMaterials) == "");
+  CHECK(test::tells(complaintOfSetup(kLabelsStart + "[[organ.label]]\nlabel = 4\nname = \"cyst\"\n"
+                                                    "box = [[5, 5, 5], [6, 6, 6]]\n"),
                     "label 4 (cyst) marks no particle of the organ"));
   CHECK(test::tells(
-      complaintOfSetup(kStart + "[[organ.label]]\nlabel = 4\nat = \"x\"\nradius = 0.1\n"),
+      complaintOfSetup(kLabelsStart + "[[organ.label]]\nlabel = 4\nat = \"x\"\nradius = 0.1\n"),
       "the organ has no landmark \"x\""));
   for (const char* model : {"still", "elastic"})
     CHECK(test::tells(
-        complaintOfSetup(kStart + kLabels + "[tissue]\nmodel = \"" + model +
+        complaintOfSetup(kLabelsStart + kLabels + "[tissue]\nmodel = \"" + model +
                          "\"\n[[tissue.material]]\nlabel = 8\n"),
         "there is a material for label 8, which no particle of the organ has; labels are 7 "
         "(tumour), 9 (label 9)"));
-  CHECK(test::tells(complaintOfSetup(kStart + "[[tissue.material]]\nlabel = 8\n"),
+  CHECK(test::tells(complaintOfSetup(kLabelsStart + "[[tissue.material]]\nlabel = 8\n"),
                     "mark cells by [[organ.label]]"));
-  CHECK(test::tells(complaintOfSetup(kStart + kMaterials.substr(0, kMaterials.find("[[")) +
+  CHECK(test::tells(complaintOfSetup(kLabelsStart + kMaterials.substr(0, kMaterials.find("[[")) +
                                      "[[tissue.attachment]]\nbox = [[5, 5, 5], [6, 6, 6]]\n"),
                     "attachment 1 of the tissue holds no particle"));
 }
 
 TEST_CASE("cells of a label weigh what its material does, and attachments take organ regions") {
   const Scenario s = parseScenario(
-      kStart + kLabels + kMaterials + "[[tissue.attachment]]\ndepth = [0, 0.01]\n", "x.toml");
+      kLabelsStart + kLabels + kMaterials + "[[tissue.attachment]]\ndepth = [0, 0.01]\n", "x.toml");
   const Organ organ = makeOrgan(loadCells(s.organs[0].source, {}), s.organs[0].source.settings);
   CHECK(labelledParticles(organ.rest)[7] > 50);
   CHECK(labelledParticles(organ.rest)[9] > 50);
@@ -145,7 +158,7 @@ TEST_CASE("cells of a label weigh what its material does, and attachments take o
 
 TEST_CASE("a run's summary tells what became of each label") {
   Scenario s = parseScenario(
-      kStart + kLabels +
+      kLabelsStart + kLabels +
           "[tissue]\ndensity = 1000\n[[tissue.material]]\nlabel = 9\ndensity = 1500\n",
       "x.toml");
   Simulation simulation = makeSimulation(s, {});
@@ -184,7 +197,7 @@ TEST_CASE("a run's summary tells what became of each label") {
 }
 
 TEST_CASE("labels and landmarks of a file of cells are those of the organ that is read from it") {
-  Scenario s = parseScenario(kStart + kLabels, "x.toml");
+  Scenario s = parseScenario(kLabelsStart + kLabels, "x.toml");
   const test::TemporaryFolder folder;
   const auto path = folder / "organ.resect-cells";
   writeParticleFile(path, {loadCells(s.organs[0].source, {}), {"test", "liver", 1}});
@@ -209,7 +222,7 @@ TEST_CASE("labels and landmarks of a file of cells are those of the organ that i
 
 TEST_CASE("stiffening and relaxation are read, come from liver, or are left out") {
   const auto tissueOf = [&](const std::string& keys) {
-    return parseScenario(kStart + "[tissue]\nmodel = \"elastic\"\n" + keys, "x.toml")
+    return parseScenario(kLabelsStart + "[tissue]\nmodel = \"elastic\"\n" + keys, "x.toml")
         .organs[0]
         .tissue;
   };
@@ -229,7 +242,8 @@ TEST_CASE("stiffening and relaxation are read, come from liver, or are left out"
         "relaxation_shares = [1, 1, 1, 1]\nrelaxation_times = [1, 1, 1, 1]",
         "relaxation_shares = [1]\nrelaxation_times = [0.001]", "plain = 1"}) {
     CAPTURE(wrong);
-    const std::string text = kStart + "[tissue]\nmodel = \"elastic\"\n" + std::string(wrong) + "\n";
-    CHECK(test::isOneSentence(complaint(text)));
+    const std::string text =
+        kLabelsStart + "[tissue]\nmodel = \"elastic\"\n" + std::string(wrong) + "\n";
+    CHECK(test::isOneSentence(complaintOfScenario(text)));
   }
 }

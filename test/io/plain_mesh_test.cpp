@@ -10,15 +10,7 @@
 #include "support/temporary_folder.h"
 
 using namespace resect;
-
-namespace {
-
-std::string bytesOf(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-}  // namespace
+using test::bytesOf;
 
 TEST_CASE("a mesh comes back bit for bit, also where another ending is asked for") {
   const test::TemporaryFolder folder;

@@ -6,9 +6,12 @@
 
 #include "base/error.h"
 #include "base/random.h"
-#include "support/sentence.h"
+#include "support/malformed/refused_scenario.h"
+#include "support/malformed/replaced.h"
 
 using namespace resect;
+using test::complaintOfScenario;
+using test::replaced;
 
 namespace {
 
@@ -27,16 +30,6 @@ keys = [
   { time = 1.5, position = [0, 0.0, 0], rotation = { axis = [1, 0, 0], degrees = 90 } },
 ]
 )";
-
-std::string complaint(const std::string& text) {
-  return test::sentenceOf([&] { parseScenario(text, "x.toml"); });
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const auto at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
-}
 
 }  // namespace
 
@@ -61,32 +54,32 @@ TEST_CASE("a scenario file says what it says") {
 }
 
 TEST_CASE("a wrong scenario file is refused with file, line and key") {
-  CHECK(complaint(replaced(kGood, "duration = 2.5", "duration = -1")) ==
+  CHECK(complaintOfScenario(replaced(kGood, "duration = 2.5", "duration = -1")) ==
         "x.toml:2: duration is no number from 0.001 to 3600");
-  CHECK(complaint(replaced(kGood, "iso = 45", "iso = 200"))
+  CHECK(complaintOfScenario(replaced(kGood, "iso = 45", "iso = 200"))
             .find("x.toml:8: organ.iso is no number") == 0);
-  CHECK(complaint(replaced(kGood, "iso = 45", "isso = 45"))
+  CHECK(complaintOfScenario(replaced(kGood, "iso = 45", "isso = 45"))
             .find("x.toml:8: organ.isso is not known here") == 0);
-  CHECK(complaint(replaced(kGood, "\"4mm\"", "\"4 parsec\"")).find("x.toml:7: organ.spacing is") ==
-        0);
-  CHECK(complaint(replaced(kGood, "time = 1.5", "time = 0.5")).find("is not later") !=
+  CHECK(complaintOfScenario(replaced(kGood, "\"4mm\"", "\"4 parsec\""))
+            .find("x.toml:7: organ.spacing is") == 0);
+  CHECK(complaintOfScenario(replaced(kGood, "time = 1.5", "time = 0.5")).find("is not later") !=
         std::string::npos);
-  CHECK(complaint(replaced(kGood, "[0, 0.1, 0]", "[0, 0.1]")).find("three finite numbers") !=
-        std::string::npos);
-  CHECK(complaint(replaced(kGood, "[0, 0.1, 0]", "[0, nan, 0]")).find("three finite numbers") !=
-        std::string::npos);
-  CHECK(complaint(replaced(kGood, "edge = [0, 0, 1]", "edge = [0, 2, 0]"))
+  CHECK(complaintOfScenario(replaced(kGood, "[0, 0.1, 0]", "[0, 0.1]"))
+            .find("three finite numbers") != std::string::npos);
+  CHECK(complaintOfScenario(replaced(kGood, "[0, 0.1, 0]", "[0, nan, 0]"))
+            .find("three finite numbers") != std::string::npos);
+  CHECK(complaintOfScenario(replaced(kGood, "edge = [0, 0, 1]", "edge = [0, 2, 0]"))
             .find("different directions") != std::string::npos);
-  CHECK(complaint(replaced(kGood, "title = \"A cut\"", "")).find("title is missing") !=
+  CHECK(complaintOfScenario(replaced(kGood, "title = \"A cut\"", "")).find("title is missing") !=
         std::string::npos);
-  CHECK(complaint(replaced(kGood, ", [0, 0.2, 0.1]]", "]"))
+  CHECK(complaintOfScenario(replaced(kGood, ", [0, 0.2, 0.1]]", "]"))
             .find("x.toml:4: close_up is missing or") == 0);
-  CHECK(complaint(replaced(kGood, "[0, 0.2, 0.1]", "[0.1, 0, -0.1]")) ==
+  CHECK(complaintOfScenario(replaced(kGood, "[0, 0.2, 0.1]", "[0.1, 0, -0.1]")) ==
         "x.toml:4: close_up has no size");
-  CHECK(complaint(std::string(kGood) + "[room]\nsetting = \"beach\"\n")
+  CHECK(complaintOfScenario(std::string(kGood) + "[room]\nsetting = \"beach\"\n")
             .find("room.setting is \"beach\"; choose table or field") != std::string::npos);
-  CHECK(complaint("title = ").find("x.toml:1:") == 0);
-  CHECK(complaint(std::string(100000, '[')).find("nested") != std::string::npos);
+  CHECK(complaintOfScenario("title = ").find("x.toml:1:") == 0);
+  CHECK(complaintOfScenario(std::string(100000, '[')).find("nested") != std::string::npos);
 }
 
 TEST_CASE("what is wrong is told with its line, after texts of lines and whatever ends the lines") {
@@ -96,12 +89,13 @@ TEST_CASE("what is wrong is told with its line, after texts of lines and whateve
       "beside = \"c\"\n[[tool]]\nmodel = \"hook\"\nkeys = [\n  { time = 0, position = [0, 0, 0] "
       "},\n\n"
       "  { time = 1, position = [0, 0, 101] },\n]\n";
-  CHECK(complaint(text) == "x.toml:9: organ[2].beside is \"c\", which is no organ before this one");
+  CHECK(complaintOfScenario(text) ==
+        "x.toml:9: organ[2].beside is \"c\", which is no organ before this one");
   const std::string second = replaced(text, "\"c\"", "\"a\"");
   std::string windows;
   for (const char c : second) windows += c == '\n' ? "\r\n" : std::string(1, c);
   for (const std::string& file : {second, windows})
-    CHECK(complaint(file) ==
+    CHECK(complaintOfScenario(file) ==
           "x.toml:15: tool[1].keys[2].position is not three finite numbers [x, y, z] from -100 to "
           "100");
 }
@@ -110,12 +104,12 @@ TEST_CASE("an empty text where a name is meant is refused with its line") {
   for (const char* line : {"title = \"A cut\"", "source = \"liver\"", "model = \"scalpel\""}) {
     const std::string key = std::string(line).substr(0, std::string(line).find(' '));
     for (const char* empty : {" = \"\"", " = \"  \"", " = ''"}) {
-      const std::string sentence = complaint(replaced(kGood, line, key + empty));
+      const std::string sentence = complaintOfScenario(replaced(kGood, line, key + empty));
       CHECK_MESSAGE(sentence.find(key + " is empty; give a text") != sentence.npos, sentence);
     }
   }
   const std::string nameless =
-      complaint(std::string(kGood) + "[organ.landmark]\n\"\" = [0, 0, 0]\n");
+      complaintOfScenario(std::string(kGood) + "[organ.landmark]\n\"\" = [0, 0, 0]\n");
   CHECK_MESSAGE(nameless.find("is a place without a name") != nameless.npos, nameless);
   CHECK(parseScenario("title = \"A\"\nduration = 1\ndescription = \"\"\n", "x.toml")
             .description.empty());

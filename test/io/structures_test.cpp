@@ -22,7 +22,7 @@ using namespace resect;
 
 namespace {
 
-const std::string kStart = R"(title = "Structures"
+const std::string kStructuresStart = R"(title = "Structures"
 duration = 0.1
 [organ]
 source = "organ.stl"
@@ -33,7 +33,7 @@ position = [0.01, 0, -0.02]
 )";
 
 // The organ: a box of 12 x 8 x 10 cm, beside the origin of its file.
-const Aabb kBox{{0.1, 0.2, 0.3}, {0.22, 0.28, 0.4}};
+const Aabb kOrganBox{{0.1, 0.2, 0.3}, {0.22, 0.28, 0.4}};
 const Vec3 kTumour(0.15, 0.24, 0.36);
 
 VesselSegment vein() {
@@ -42,11 +42,12 @@ VesselSegment vein() {
 
 Model readShape(const std::filesystem::path& path, const std::string& /*parts*/) {
   TriangleMesh mesh;
-  if (path == "organ.stl") mesh = boxMesh(kBox);
+  if (path == "organ.stl") mesh = boxMesh(kOrganBox);
   if (path == "tumour.stl") mesh = sphereMesh(kTumour, 0.015, 32);
-  if (path == "lumen.stl") mesh = sphereMesh(kBox.centre(), 0.03, 64);
+  if (path == "lumen.stl") mesh = sphereMesh(kOrganBox.centre(), 0.03, 64);
   if (path == "mouth.stl")
-    mesh = sphereMesh(Vec3(kBox.centre().x(), kBox.max.y(), kBox.centre().z()), 0.03, 64);
+    mesh = sphereMesh(Vec3(kOrganBox.centre().x(), kOrganBox.max.y(), kOrganBox.centre().z()), 0.03,
+                      64);
   if (path == "elsewhere.stl") mesh = sphereMesh(Vec3(0.5, 0.5, 0.5), 0.015, 32);
   if (path == "vein.stl") mesh = vesselMesh(makeAnatomy({vein()}), VesselKind::PortalVein);
   REQUIRE(!mesh.triangles.empty());
@@ -54,7 +55,7 @@ Model readShape(const std::filesystem::path& path, const std::string& /*parts*/)
 }
 
 std::vector<OperatedOrgan> load(const std::string& text) {
-  Scenario scenario = parseScenario(kStart + text, "test.toml");
+  Scenario scenario = parseScenario(kStructuresStart + text, "test.toml");
   return loadOrgans(scenario, readShape);
 }
 
@@ -83,7 +84,7 @@ const std::string kTumourBall =
 
 TEST_CASE("a structure's file labels the particles inside it, wherever the organ lies") {
   std::optional<Pose> place;
-  Scenario scenario = parseScenario(kStart + kTumourFile + kTumourBall, "test.toml");
+  Scenario scenario = parseScenario(kStructuresStart + kTumourFile + kTumourBall, "test.toml");
   const Discretization cells = loadCells(scenario.organs[0].source, readShape, {}, nullptr, &place);
   REQUIRE(place);
   const double ball = 4 * std::numbers::pi / 3;
@@ -99,7 +100,8 @@ TEST_CASE("a brought vessel runs where its file says, in the organ's place") {
   const auto organs = load("[[organ.structure]]\nkind = \"portal-vein\"\nfile = \"vein.stl\"\n");
   REQUIRE(organs[0].organ.map);
   std::optional<Pose> place;
-  loadOrganMesh(parseScenario(kStart, "test.toml").organs[0].source, readShape, nullptr, &place);
+  loadOrganMesh(parseScenario(kStructuresStart, "test.toml").organs[0].source, readShape, nullptr,
+                &place);
   const Vec3 start = *place * vein().start, end = *place * vein().end;
   double length = 0;
   for (const VesselSegment& s : organs[0].organ.map->anatomy.segments) {
@@ -168,8 +170,8 @@ TEST_CASE("structures that cannot be used are refused in a sentence") {
 
 TEST_CASE("no tissue lies in a cavity, also where it reaches out of the organ") {
   const auto load = [](const std::string& text, std::vector<std::string>* notes = nullptr) {
-    return loadCells(parseScenario(kStart + text, "test.toml").organs[0].source, readShape, {},
-                     notes);
+    return loadCells(parseScenario(kStructuresStart + text, "test.toml").organs[0].source,
+                     readShape, {}, notes);
   };
   const auto tissue = [](const Discretization& cells) {
     double ml = 0;
@@ -198,31 +200,31 @@ TEST_CASE("a cavity that is a part of the organ's own file is no part of the org
   const auto readParts = [](const std::filesystem::path& path, const std::string&) {
     return Model{path.string(),
                  "glTF",
-                 {{"wall", boxMesh(kBox)},
-                  {"lumen", sphereMesh(kBox.centre(), 0.03, 64)},
+                 {{"wall", boxMesh(kOrganBox)},
+                  {"lumen", sphereMesh(kOrganBox.centre(), 0.03, 64)},
                   {"tumour", sphereMesh(kTumour, 0.012, 32)}}};
   };
   const std::string cavity =
       "[[organ.structure]]\nkind = \"cavity\"\nfile = \"organ.stl\"\npart = \"lumen\"\n";
-  Scenario scenario = parseScenario(kStart + cavity, "test.toml");
+  Scenario scenario = parseScenario(kStructuresStart + cavity, "test.toml");
   OrganSource& source = scenario.organs[0].source;
   CHECK(source.part == "without lumen");
   const double ball = 4 * std::numbers::pi / 3 * std::pow(0.03, 3);
-  const double box = kBox.size().prod();
+  const double box = kOrganBox.size().prod();
   CHECK(volume(loadOrganMesh(source, readParts)) ==
         doctest::Approx(box - ball + volume(sphereMesh(kTumour, 0.012, 32))).epsilon(1e-3));
   std::vector<std::string> notes;
   loadOrganMesh(source, readParts, &notes);
   CHECK(test::tells(fmt::format("{}", fmt::join(notes, "\n")), "facing outwards (part 'tumour')"));
   notes.clear();
-  loadOrganMesh(parseScenario(kStart, "test.toml").organs[0].source, readParts, &notes);
+  loadOrganMesh(parseScenario(kStructuresStart, "test.toml").organs[0].source, readParts, &notes);
   CHECK(test::tells(fmt::format("{}", fmt::join(notes, "\n")),
                     "roles by --structure cavity=lumen --structure tumour=tumour"));
   const std::string tumour =
       "[[organ.structure]]\nkind = \"tumour\"\nfile = \"organ.stl\"\npart = \"tumour\"\n";
   notes.clear();
-  loadOrganMesh(parseScenario(kStart + cavity + tumour, "test.toml").organs[0].source, readParts,
-                &notes);
+  loadOrganMesh(parseScenario(kStructuresStart + cavity + tumour, "test.toml").organs[0].source,
+                readParts, &notes);
   CHECK_FALSE(test::tells(fmt::format("{}", fmt::join(notes, "\n")), "facing outwards"));
   source.part = "wall\nwithout lumen";
   CHECK(volume(loadOrganMesh(source, readParts)) == doctest::Approx(box - ball).epsilon(1e-3));

@@ -18,7 +18,7 @@ std::string times(int count, std::string_view text) {
 // With 40000 more parts.
 std::string deepKey(std::string_view part) { return fmt::format("a{} = 1", times(40000, part)); }
 
-std::string refusal(const std::string& text) {
+std::string refusalOfToml(const std::string& text) {
   return test::sentenceOf([&] { TomlTable::parse(text, "a.toml"); });
 }
 
@@ -43,7 +43,7 @@ TEST_CASE("keys of many parts and brackets in brackets are refused with their li
        }) {
     const std::string text = "x = 1\n" + deep;
     CAPTURE(deep.substr(0, 40));
-    const std::string sentence = refusal(text);
+    const std::string sentence = refusalOfToml(text);
     const int line = deep.find('\n') == deep.npos ? 2 : 3;
     CHECK_MESSAGE(
         test::isRefusalOf(fmt::format("a.toml:{}: ", line), "that is no settings file", sentence),
@@ -52,13 +52,13 @@ TEST_CASE("keys of many parts and brackets in brackets are refused with their li
 }
 
 TEST_CASE("too long keys, texts and files and too many values are refused with their line") {
-  CHECK(test::tells(refusal(fmt::format("x = 1\n\n{}", times(201, "k"))),
+  CHECK(test::tells(refusalOfToml(fmt::format("x = 1\n\n{}", times(201, "k"))),
                     "a.toml:3: a key or a number"));
-  CHECK(
-      test::tells(refusal(fmt::format("x = '''\n\n{}'''", times(10001, "k"))), "a.toml:1: a text"));
-  CHECK(test::tells(refusal(fmt::format("x = [{}", times(600'000, "1,1,"))),
+  CHECK(test::tells(refusalOfToml(fmt::format("x = '''\n\n{}'''", times(10001, "k"))),
+                    "a.toml:1: a text"));
+  CHECK(test::tells(refusalOfToml(fmt::format("x = [{}", times(600'000, "1,1,"))),
                     "a.toml:1: there are more than"));
-  CHECK(test::tells(refusal(times(17 << 20, " ")), "a.toml is larger than 16 MB"));
+  CHECK(test::tells(refusalOfToml(times(17 << 20, " ")), "a.toml is larger than 16 MB"));
 }
 
 TEST_CASE("texts and comments may hold brackets, dots and quotes") {
@@ -73,12 +73,14 @@ TEST_CASE("texts and comments may hold brackets, dots and quotes") {
 }
 
 TEST_CASE("outside quotes and comments there is only ASCII") {
-  CHECK(test::tells(refusal("a = 1\n\xc3\xa4 = 2\n"), "a.toml:2: a character that is not ASCII"));
+  CHECK(test::tells(refusalOfToml("a = 1\n\xc3\xa4 = 2\n"),
+                    "a.toml:2: a character that is not ASCII"));
   // What a quote within a word opens is no text for the parser.
-  CHECK(
-      test::tells(refusal("a = [5, 50.1.)\"45~r\xcb\x8d\"]\n"), "a.toml:1: a quote stands within"));
-  CHECK(test::tells(refusal("a = 5'\xcb\x8d'\n"), "a.toml:1: a quote stands within"));
-  CHECK(test::tells(refusal("a = \"\"\"x \\\n \xc3\xa4\"\"\""), "a.toml:1: a line that begins"));
+  CHECK(test::tells(refusalOfToml("a = [5, 50.1.)\"45~r\xcb\x8d\"]\n"),
+                    "a.toml:1: a quote stands within"));
+  CHECK(test::tells(refusalOfToml("a = 5'\xcb\x8d'\n"), "a.toml:1: a quote stands within"));
+  CHECK(test::tells(refusalOfToml("a = \"\"\"x \\\n \xc3\xa4\"\"\""),
+                    "a.toml:1: a line that begins"));
   CHECK(TomlTable::parse("\xef\xbb\xbf"
                          "a = \"\xc3\xa4\" # \xc3\xb6",
                          "a.toml")
@@ -86,6 +88,6 @@ TEST_CASE("outside quotes and comments there is only ASCII") {
 }
 
 TEST_CASE("a key that the parser cannot take is refused with its line") {
-  CHECK(test::tells(refusal("a = 1\nb = 2\n\n= 3\nc = 4\n"), "a.toml:4: "));
-  CHECK(test::tells(refusal("a = 1\nb = 2\n\n\x01k = 3\nc = 4\n"), "a.toml:4: "));
+  CHECK(test::tells(refusalOfToml("a = 1\nb = 2\n\n= 3\nc = 4\n"), "a.toml:4: "));
+  CHECK(test::tells(refusalOfToml("a = 1\nb = 2\n\n\x01k = 3\nc = 4\n"), "a.toml:4: "));
 }

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "io/scenario/scenario_file.h"
-#include "support/sentence.h"
+#include "support/malformed/refused_scenario.h"
 
 using namespace resect;
 
@@ -12,10 +12,6 @@ namespace {
 std::string tool(const std::string& keys, const std::string& more = "") {
   return "title = \"Way\"\nafter = 0.5\n[[tool]]\nmodel = \"scalpel\"\nframe = \"organ\"\n" + more +
          "keys = [" + keys + "]\n";
-}
-
-std::string complaint(const std::string& text) {
-  return test::sentenceOf([&] { parseScenario(text, "way.toml"); });
 }
 
 const std::string kFirst = "{ time = 0.5, over = [0.5, 0.1], depth = \"-50mm\" }";
@@ -52,7 +48,7 @@ TEST_CASE("a tool's way in the organ's coordinates is read") {
 
 TEST_CASE("a wrong way is an error that says what to give") {
   const auto says = [](const std::string& text, const std::string& what) {
-    const std::string sentence = complaint(text);
+    const std::string sentence = test::complaintOfScenario(text, "way.toml");
     CAPTURE(sentence);
     CHECK(sentence.find(what) != sentence.npos);
     CHECK(sentence.find("way.toml") != sentence.npos);

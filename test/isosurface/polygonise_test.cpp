@@ -15,10 +15,12 @@ namespace {
 
 const Aabb kBox{Vec3::Constant(-0.05), Vec3::Constant(0.05)};
 
-double ball(const Vec3& p) { return (p - Vec3(0.001, 0.002, -0.003)).norm() - 0.03; }
+double ballField(const Vec3& p) { return (p - Vec3(0.001, 0.002, -0.003)).norm() - 0.03; }
 
 // Ring of radius 30 mm around the y axis, 10 mm thick.
-double ring(const Vec3& p) { return std::hypot(std::hypot(p.x(), p.z()) - 0.03, p.y()) - 0.01; }
+double ringField(const Vec3& p) {
+  return std::hypot(std::hypot(p.x(), p.z()) - 0.03, p.y()) - 0.01;
+}
 
 void checkSkin(const TriangleMesh& mesh) {
   const Topology found = topology(mesh);
@@ -34,11 +36,11 @@ int euler(const TriangleMesh& mesh) {
 }  // namespace
 
 TEST_CASE("a ball becomes a sphere of the right size, with its points on the surface") {
-  const TriangleMesh mesh = polygonise(ball, kBox, {.edge = 0.002});
+  const TriangleMesh mesh = polygonise(ballField, kBox, {.edge = 0.002});
   checkSkin(mesh);
   CHECK(topology(mesh).components == 1);
   CHECK(euler(mesh) == 2);
-  for (const Vec3& p : mesh.points) CHECK(std::abs(ball(p)) < 1e-6);
+  for (const Vec3& p : mesh.points) CHECK(std::abs(ballField(p)) < 1e-6);
   // An inscribed mesh of edges e misses about (e / r)^2 / 4 of the volume.
   const double exact = 4.0 / 3 * std::numbers::pi * std::pow(0.03, 3);
   CHECK(volume(mesh) < exact);
@@ -46,7 +48,7 @@ TEST_CASE("a ball becomes a sphere of the right size, with its points on the sur
 }
 
 TEST_CASE("a ring keeps its hole") {
-  const TriangleMesh mesh = polygonise(ring, kBox, {.edge = 0.003});
+  const TriangleMesh mesh = polygonise(ringField, kBox, {.edge = 0.003});
   checkSkin(mesh);
   CHECK(topology(mesh).components == 1);
   CHECK(euler(mesh) == 0);
@@ -74,8 +76,8 @@ TEST_CASE("a body that reaches out of the box is closed at its border") {
 }
 
 TEST_CASE("skipping boxes by the Lipschitz bound loses nothing") {
-  const TriangleMesh all = polygonise(ring, kBox, {.edge = 0.002});
-  const TriangleMesh skipped = polygonise(ring, kBox, {.edge = 0.002, .lipschitz = 1});
+  const TriangleMesh all = polygonise(ringField, kBox, {.edge = 0.002});
+  const TriangleMesh skipped = polygonise(ringField, kBox, {.edge = 0.002, .lipschitz = 1});
   CHECK(all.points.size() == skipped.points.size());
   CHECK(all.triangles.size() == skipped.triangles.size());
   CHECK(volume(all) == doctest::Approx(volume(skipped)).epsilon(1e-9));
@@ -89,15 +91,15 @@ TEST_CASE("evening out removes slivers") {
         least = std::min(least, (mesh.points[t[e]] - mesh.points[t[(e + 1) % 3]]).norm());
     return least;
   };
-  CHECK(shortest(polygonise(ball, kBox, {.edge = 0.003, .smoothing = 0})) < 0.0003);
-  CHECK(shortest(polygonise(ball, kBox, {.edge = 0.003})) > 0.0006);
+  CHECK(shortest(polygonise(ballField, kBox, {.edge = 0.003, .smoothing = 0})) < 0.0003);
+  CHECK(shortest(polygonise(ballField, kBox, {.edge = 0.003})) > 0.0006);
 }
 
 TEST_CASE("the surface has the same bits at one, two and three threads") {
-  const TriangleMesh reference = polygonise(ring, kBox, {.edge = 0.003});
+  const TriangleMesh reference = polygonise(ringField, kBox, {.edge = 0.003});
   for (int threads : {1, 2, 3}) {
     const ThreadLimit limit(threads);
-    const TriangleMesh mesh = polygonise(ring, kBox, {.edge = 0.003});
+    const TriangleMesh mesh = polygonise(ringField, kBox, {.edge = 0.003});
     CHECK(mesh.points == reference.points);
     CHECK(mesh.triangles == reference.triangles);
   }
@@ -105,7 +107,7 @@ TEST_CASE("the surface has the same bits at one, two and three threads") {
 
 TEST_CASE("a function of one sign, or an empty box, has no surface") {
   CHECK(polygonise([](const Vec3&) { return 1.0; }, kBox).triangles.empty());
-  CHECK(polygonise(ball, Aabb{}).triangles.empty());
+  CHECK(polygonise(ballField, Aabb{}).triangles.empty());
 }
 
 TEST_CASE("a margin thinner than the edges is not frayed") {

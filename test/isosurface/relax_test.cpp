@@ -11,7 +11,7 @@ using namespace resect;
 
 namespace {
 
-double ball(const Vec3& p) { return p.norm() - 0.01; }
+double smallBall(const Vec3& p) { return p.norm() - 0.01; }
 
 // Octahedron in the ball: all its edges cut off much of it.
 TriangleMesh octahedron() {
@@ -27,15 +27,15 @@ TriangleMesh octahedron() {
 
 TEST_CASE("splitting puts a point on the surface over every edge that cuts a corner") {
   TriangleMesh mesh = octahedron();
-  CHECK(splitCuttingEdges(ball, mesh) == 12);
+  CHECK(splitCuttingEdges(smallBall, mesh) == 12);
   CHECK(mesh.points.size() == 18);
   CHECK(mesh.triangles.size() == 32);
-  for (const Vec3& p : mesh.points) CHECK(std::abs(ball(p)) < 1e-5);
+  for (const Vec3& p : mesh.points) CHECK(std::abs(smallBall(p)) < 1e-5);
   CHECK(topology(mesh).closed());
   CHECK(topology(mesh).oriented());
   const double before = volume(mesh);
   // Finer and finer: the edges come to lie flat, and nothing is left to split.
-  while (splitCuttingEdges(ball, mesh) > 0) CHECK(mesh.points.size() < 1000);
+  while (splitCuttingEdges(smallBall, mesh) > 0) CHECK(mesh.points.size() < 1000);
   CHECK(topology(mesh).closed());
   CHECK(topology(mesh).oriented());
   CHECK(topology(mesh).manifold());
@@ -55,11 +55,11 @@ TEST_CASE("a triangle with one or two split sides keeps its neighbours") {
 
 TEST_CASE("evening out keeps points on the surface and an empty mesh empty") {
   TriangleMesh mesh = octahedron();
-  for (int round = 0; round < 3; ++round) splitCuttingEdges(ball, mesh, 0.01);
-  for (int round = 0; round < 5; ++round) evenOut(ball, mesh, 0.003);
-  for (const Vec3& p : mesh.points) CHECK(std::abs(ball(p)) < 1e-4);
+  for (int round = 0; round < 3; ++round) splitCuttingEdges(smallBall, mesh, 0.01);
+  for (int round = 0; round < 5; ++round) evenOut(smallBall, mesh, 0.003);
+  for (const Vec3& p : mesh.points) CHECK(std::abs(smallBall(p)) < 1e-4);
   TriangleMesh nothing;
-  evenOut(ball, nothing, 0.003);
-  CHECK(splitCuttingEdges(ball, nothing) == 0);
+  evenOut(smallBall, nothing, 0.003);
+  CHECK(splitCuttingEdges(smallBall, nothing) == 0);
   CHECK(nothing.points.empty());
 }

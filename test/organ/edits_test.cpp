@@ -59,7 +59,7 @@ Applied applyTo(OperatedOrgan& organ, const std::vector<TissueEdit>& edits) {
 }
 
 // All that edits can change, of either kind of tissue.
-struct Outcome {
+struct EditOutcome {
   std::int64_t removed = 0, severedBonds = 0, particles = 0, severedEdges = 0;
   double removedVolume = 0;
   std::vector<std::int64_t> removedCells;
@@ -67,7 +67,7 @@ struct Outcome {
   std::vector<std::uint32_t> bonds;
   std::int32_t gripped = 0;
   std::size_t bodies = 0;
-  bool operator==(const Outcome&) const = default;
+  bool operator==(const EditOutcome&) const = default;
 };
 
 // A blade through still tissue severs the grid's edges in the air round it as well.
@@ -90,8 +90,8 @@ std::int64_t severedInTissue(const Organ& organ) {
   return count;
 }
 
-Outcome outcome(const OperatedOrgan& o, const Applied& applied) {
-  Outcome out;
+EditOutcome outcome(const OperatedOrgan& o, const Applied& applied) {
+  EditOutcome out;
   out.removed = applied.summary.removed;
   out.severedBonds = applied.summary.severed;
   out.removedVolume = applied.summary.removedVolume;
@@ -110,10 +110,10 @@ Outcome outcome(const OperatedOrgan& o, const Applied& applied) {
 }
 
 // The same on both kinds of tissue.
-Outcome outcomeOf(const std::vector<TissueEdit>& edits) {
+EditOutcome outcomeOf(const std::vector<TissueEdit>& edits) {
   OperatedOrgan still = block(false), elastic = block(true);
-  const Outcome a = outcome(still, applyTo(still, edits));
-  const Outcome b = outcome(elastic, applyTo(elastic, edits));
+  const EditOutcome a = outcome(still, applyTo(still, edits));
+  const EditOutcome b = outcome(elastic, applyTo(elastic, edits));
   CHECK(a.removed == b.removed);
   CHECK(a.removedCells == b.removedCells);
   CHECK(a.severedBonds == b.severedBonds);
@@ -149,7 +149,7 @@ Incision incision(const OperatedOrgan& o, double x) {
 
 TEST_CASE("a removed cell is gone once, with its bonds, whoever names it again") {
   const std::int64_t cell = cellAt(4, 3, 3);
-  const Outcome out = outcomeOf(edits({RemoveCell{cell}, RemoveCell{cell}}));
+  const EditOutcome out = outcomeOf(edits({RemoveCell{cell}, RemoveCell{cell}}));
   CHECK(out.removed == 1);
   CHECK(out.removedVolume == doctest::Approx(kSpacing * kSpacing * kSpacing));
   CHECK(out.removedCells == std::vector<std::int64_t>{cell});
@@ -163,7 +163,7 @@ TEST_CASE("a removed cell is gone once, with its bonds, whoever names it again")
 
 TEST_CASE("a severed bond is gone from both its ends, once, and nothing else is") {
   const std::int64_t cell = cellAt(4, 3, 3);
-  const Outcome out = outcomeOf(edits({SeverBond{cell, kRight}, SeverBond{cell + 1, kLeft}}));
+  const EditOutcome out = outcomeOf(edits({SeverBond{cell, kRight}, SeverBond{cell + 1, kLeft}}));
   CHECK(out.severedBonds == 1);
   CHECK(out.bonds[std::size_t(cell)] == (kAllBonds & ~(1u << kRight)));
   CHECK(out.bonds[std::size_t(cell) + 1] == (kAllBonds & ~(1u << kLeft)));
@@ -175,7 +175,7 @@ TEST_CASE("a severed bond is gone from both its ends, once, and nothing else is"
 
 TEST_CASE("an incision severs the surface's grid and the bonds that cross it, and no others") {
   OperatedOrgan o = block(false);
-  const Outcome out = outcomeOf(edits({incision(o, 4.4)}));
+  const EditOutcome out = outcomeOf(edits({incision(o, 4.4)}));
   CHECK(out.severedEdges > kDims.y() * kDims.z());
   CHECK(out.severedBonds == 0);  // by edits that name bonds
   for (int d = 0; d < kDirections; ++d) {
@@ -214,8 +214,8 @@ TEST_CASE("a tool grips each cell once, and lets go of its own alone") {
 
 TEST_CASE("a label is the cell's until another one is given, and changes nothing else") {
   const std::int64_t cell = cellAt(4, 3, 3);
-  const Outcome whole = outcomeOf({});
-  Outcome out = outcomeOf(edits({SetLabel{cell, 3}, SetLabel{cell + 1, 9}, SetLabel{cell, 5}}));
+  const EditOutcome whole = outcomeOf({});
+  EditOutcome out = outcomeOf(edits({SetLabel{cell, 3}, SetLabel{cell + 1, 9}, SetLabel{cell, 5}}));
   CHECK(out.labels[std::size_t(cell)] == 5);
   CHECK(out.labels[std::size_t(cell) + 1] == 9);
   CHECK(out.labels[std::size_t(cell) - 1] == 0);
@@ -244,7 +244,7 @@ TEST_CASE("without its bonds across a plane still tissue is two bodies") {
   CHECK(volume(parts[0].mesh) + volume(parts[1].mesh) ==
         doctest::Approx(volume(block(false).organ.surface.mesh())).epsilon(1e-6));
 
-  const Outcome both = outcomeOf(severAcross(3));
+  const EditOutcome both = outcomeOf(severAcross(3));
   // 1 + 4 + 4 bonds over a face, an edge, a corner, but for those that would leave the lattice.
   const int y = kDims.y(), z = kDims.z();
   CHECK(both.severedBonds == y * z + 2 * ((y - 1) * z + y * (z - 1)) + 4 * (y - 1) * (z - 1));
@@ -267,7 +267,7 @@ TEST_CASE("edits are applied in the order in which they are queued") {
   std::vector<What> cutFirst = removals, cutLast = removals;
   cutFirst.insert(cutFirst.begin(), incision(o, 4.4));
   cutLast.push_back(incision(o, 4.4));
-  const Outcome first = outcomeOf(edits(cutFirst)), last = outcomeOf(edits(cutLast));
+  const EditOutcome first = outcomeOf(edits(cutFirst)), last = outcomeOf(edits(cutLast));
   CHECK(first.removed == 48);
   CHECK(last.removed == 48);
   CHECK(first.severedEdges > 0);
@@ -295,7 +295,7 @@ TEST_CASE("edits for another organ are passed over, and those of a place that th
   std::vector<TissueEdit> others = edits({RemoveCell{cell}, SeverBond{cell, kRight},
                                           incision(o, 4.4), Grip{cell, Pose()}, SetLabel{cell, 3}});
   for (TissueEdit& other : others) other.organ = kNumber - 1;
-  const Outcome whole = outcomeOf({});
+  const EditOutcome whole = outcomeOf({});
   CHECK(outcomeOf(others) == whole);
   const std::int64_t none = kDims.prod();
   for (const std::int64_t cell : {std::int64_t(-1), none, std::int64_t(1) << 40})

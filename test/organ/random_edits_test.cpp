@@ -15,19 +15,19 @@ using namespace resect;
 
 namespace {
 
-struct Outcome {
+struct RandomOutcome {
   std::vector<std::int64_t> trianglesAfterEdit;
   SurfaceTracker::Compact surface;
 };
 
 // 1000 random edits on the organ; every tenth time the surface is compared with a rebuild.
-Outcome editAtRandom(const Discretization& cells, int threads) {
+RandomOutcome editAtRandom(const Discretization& cells, int threads) {
   const ThreadLimit limit(threads);
   ColourField field(cells, 2);
   SurfaceTracker tracker(field, 50);
   Discretization now = cells;
   Random random(2024);
-  Outcome outcome;
+  RandomOutcome outcome;
   for (int edit = 0; edit < 1000; ++edit) {
     for (const auto& [cell, value] : test::randomEdit(cells, random)) {
       field.setCellValue(cell, value);
@@ -57,9 +57,9 @@ TEST_CASE(
   const auto liver = test::visibleHumanLiver();
   const TriangleMesh mesh = liver ? *liver : torusMesh({0, 0, 0}, 0.07, 0.035);
   const Discretization cells = discretize(mesh, latticeForSpacing(bounds(mesh), 0.008));
-  const Outcome one = editAtRandom(cells, 1);
+  const RandomOutcome one = editAtRandom(cells, 1);
   for (const int threads : {2, 3}) {
-    const Outcome more = editAtRandom(cells, threads);
+    const RandomOutcome more = editAtRandom(cells, threads);
     CHECK(more.trianglesAfterEdit == one.trianglesAfterEdit);
     CHECK(more.surface.mesh.points == one.surface.mesh.points);
     CHECK(more.surface.mesh.triangles == one.surface.mesh.triangles);

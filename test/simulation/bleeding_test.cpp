@@ -6,21 +6,19 @@
 #include "base/random.h"
 #include "organ/apply_edits.h"
 #include "simulation/simulation.h"
+#include "simulation/vein_block.h"
 #include "support/block_organ.h"
 #include "support/test_tools.h"
 
 using namespace resect;
+using test::cutAcrossVein;
 
 namespace {
 
-constexpr double kSide = 0.005;  // m
-
 // A block of 60 x 30 x 60 mm of still tissue over the table, with these vessels, or a portal vein
 // of 4 mm along x in its middle.
-Simulation block(double height = 0, std::optional<Anatomy> vessels = {}) {
-  Discretization cells = test::fullBlock({12, 6, 12}, kSide);
-  cells.lattice.origin = Vec3(0.5 * kSide, height + 0.5 * kSide, 0.5 * kSide);
-  Organ organ = makeOrgan(std::move(cells), {});
+Simulation bleedingBlock(double height = 0, std::optional<Anatomy> vessels = {}) {
+  Organ organ = makeOrgan(test::veinBlock(height), {});
   if (!vessels)
     vessels = test::straightVessel(VesselKind::PortalVein, Vec3(-0.02, height + 0.0151, 0.0301),
                                    Vec3(0.05, height + 0.0151, 0.0301), 0.002);
@@ -34,11 +32,6 @@ FrameInput with(std::vector<TissueEdit> edits) {
   return input;
 }
 
-// Cuts down through the top and the vein, across it.
-TissueEdit cutAcross(double height = 0) {
-  return {0, -1, Incision{test::acrossX(0.0321, height + 0.01, height + 0.05)}};
-}
-
 void checkLedger(const StepReport& report) {
   REQUIRE(report.blood.ledger.bled == report.blood.ledger.found());
 }
@@ -48,8 +41,8 @@ double ml(Picolitres volume) { return 1e6 * toCubicMetres(volume); }
 }  // namespace
 
 TEST_CASE("tissue whose vessel is cut bleeds, and every picolitre is found again in every frame") {
-  Simulation simulation = block();
-  StepReport report = simulation.step(with({cutAcross()}));
+  Simulation simulation = bleedingBlock();
+  StepReport report = simulation.step(with({cutAcrossVein()}));
   REQUIRE(report.vessels.size() == 1);
   double before = 0;
   for (int i = 0; i < 600; ++i) {
@@ -73,7 +66,7 @@ TEST_CASE("an organ without vessels does not bleed, and cut tissue of one with v
   CHECK_FALSE(dry.blood().any());
   CHECK(dry.step(with({{0, -1, RemoveCell{3}}})).blood.ledger.bled == 0);
 
-  Simulation simulation = block();
+  Simulation simulation = bleedingBlock();
   const Lattice lattice = simulation.organ().rest.lattice;
   simulation.step(with({{0, -1, RemoveCell{lattice.index({6, 5, 1})}}}));  // far from the vein
   StepReport report;
@@ -83,7 +76,7 @@ TEST_CASE("an organ without vessels does not bleed, and cut tissue of one with v
 }
 
 TEST_CASE("a piece in which no vessel ends oozes no more once it is known to be cut off") {
-  Simulation simulation = block();
+  Simulation simulation = bleedingBlock();
   // Across z: the vein along x stays in the body, a third of the block is cut off.
   constexpr double z = 0.0401;
   const Vec3 before[] = {{-1, -1, z}, {-1, 1, z}}, after[] = {{1, -1, z}, {1, 1, z}};
@@ -99,12 +92,12 @@ TEST_CASE("clips on both sides of the cut stop the vessel, heat stops the rest")
   const auto along = [](VesselKind kind, const Vec3& from, const Vec3& to) {
     return VesselSegment{kind, -1, from, to, 0.002, true};
   };
-  Simulation simulation = block(
+  Simulation simulation = bleedingBlock(
       0,
       makeAnatomy(
           {along(VesselKind::PortalVein, Vec3(-0.02, 0.0151, 0.0301), Vec3(0.05, 0.0151, 0.0301)),
            along(VesselKind::HepaticVein, Vec3(0.055, 0.0151, -0.02), Vec3(0.055, 0.0151, 0.05))}));
-  simulation.step(with({cutAcross()}));
+  simulation.step(with({cutAcrossVein()}));
   const double share = (0.0321 + 0.02) / 0.07;
   StepReport report = simulation.step(
       with({{0, -1, PlaceClip{0, share - 0.05}}, {0, -1, PlaceClip{0, share + 0.05}}}));
@@ -120,8 +113,8 @@ TEST_CASE("clips on both sides of the cut stop the vessel, heat stops the rest")
 }
 
 TEST_CASE("heat between forceps seals the ends of a vessel of 4 mm within seconds") {
-  Simulation simulation = block();
-  simulation.step(with({cutAcross()}));
+  Simulation simulation = bleedingBlock();
+  simulation.step(with({cutAcrossVein()}));
   StepReport report = simulation.step({});
   REQUIRE(report.blood.ends.size() == 1);
   int frames = 0;
@@ -135,8 +128,8 @@ TEST_CASE("heat between forceps seals the ends of a vessel of 4 mm within second
 }
 
 TEST_CASE("a swab holds a vein back while it presses harder than the vein, and soaks up blood") {
-  Simulation simulation = block();
-  StepReport report = simulation.step(with({cutAcross()}));
+  Simulation simulation = bleedingBlock();
+  StepReport report = simulation.step(with({cutAcrossVein()}));
   for (int i = 0; i < 60; ++i) report = simulation.step({});
   const double rate = report.blood.rate;
   const Vec3 end = report.blood.ends[0].place;
@@ -160,8 +153,8 @@ TEST_CASE("a swab holds a vein back while it presses harder than the vein, and s
 }
 
 TEST_CASE("suction takes the blood within its reach, and clamping the inflow slows the bleeding") {
-  Simulation simulation = block();
-  StepReport report = simulation.step(with({cutAcross()}));
+  Simulation simulation = bleedingBlock();
+  StepReport report = simulation.step(with({cutAcrossVein()}));
   for (int i = 0; i < 240; ++i) report = simulation.step({});
   const double rate = report.blood.rate;
   CHECK(report.blood.ledger.sucked == 0);
@@ -175,8 +168,8 @@ TEST_CASE("suction takes the blood within its reach, and clamping the inflow slo
 }
 
 TEST_CASE("blood under an overhang drips, and falls past a table that is not there") {
-  Discretization cells = test::fullBlock({12, 6, 12}, kSide);
-  cells.lattice.origin = Vec3(0.5 * kSide, 0.2, 0.5 * kSide);
+  Discretization cells = test::veinBlock();
+  cells.lattice.origin.y() = 0.2;
   Organ organ = makeOrgan(std::move(cells), {});
   organ.map = makeVesselMap(test::straightVessel(
       VesselKind::PortalVein, Vec3(-0.02, 0.2126, 0.0301), Vec3(0.05, 0.2126, 0.0301), 0.002));
@@ -195,7 +188,7 @@ TEST_CASE("blood under an overhang drips, and falls past a table that is not the
 }
 
 TEST_CASE("the ledger stays exact through random cuts, removals, tears, suction, clips and heat") {
-  Simulation simulation = block();
+  Simulation simulation = bleedingBlock();
   const Lattice lattice = simulation.organ().rest.lattice;
   Random random(5);
   StepReport report;
@@ -242,8 +235,7 @@ TEST_CASE("the ledger stays exact through random cuts, removals, tears, suction,
 }
 
 TEST_CASE("nobody loses more blood than he has") {
-  Discretization cells = test::fullBlock({12, 6, 12}, kSide);
-  Organ organ = makeOrgan(std::move(cells), {});
+  Organ organ = makeOrgan(test::fullBlock({12, 6, 12}), {});
   const Vec3 middle = organ.rest.lattice.box().centre();
   organ.map = makeVesselMap(test::straightVessel(VesselKind::PortalVein, middle - Vec3(0.05, 0, 0),
                                                  middle + Vec3(0.02, 0, 0), 0.002));
@@ -270,8 +262,8 @@ TEST_CASE("nobody loses more blood than he has") {
 }
 
 TEST_CASE("a saved operation bleeds on with the same bits") {
-  Simulation one = block(), other = block();
-  one.step(with({cutAcross()}));
+  Simulation one = bleedingBlock(), other = bleedingBlock();
+  one.step(with({cutAcrossVein()}));
   for (int i = 0; i < 100; ++i) one.step({});
   other.restore(one.save());
   for (int i = 0; i < 100; ++i) {

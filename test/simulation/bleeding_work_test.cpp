@@ -18,7 +18,7 @@ using namespace resect;
 
 namespace {
 
-constexpr double kSpacing = 0.010;  // m
+constexpr double kLiverSpacing = 0.010;  // m
 
 // Edits of a frame. What lasts, such as suction, is done for a while where something bleeds.
 class RandomEdits {
@@ -88,7 +88,8 @@ std::uint64_t work(double seconds, int threads) {
   const test::LyingLiver liver = test::lyingLiver();
   VesselGrowth growth = builtinLiverVessels();
   growth.terminals = 200;
-  Discretization cells = discretize(liver.mesh, latticeForSpacing(bounds(liver.mesh), kSpacing));
+  Discretization cells =
+      discretize(liver.mesh, latticeForSpacing(bounds(liver.mesh), kLiverSpacing));
   auto tissue = std::make_unique<ElasticTissue>(
       TissueCells{cells.lattice, cells.inside, {liverTissue()}, {}}, TissueSettings{});
   Organ organ = makeOrgan(std::move(cells), {});

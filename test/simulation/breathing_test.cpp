@@ -23,8 +23,6 @@ Scenario fieldLiver(double depth, double spacing = 0.012) {
   return scenario;
 }
 
-Simulation simulationOf(Scenario& scenario) { return makeSimulation(scenario, readPlainMesh); }
-
 // All tools lie in the tray.
 FrameInput idle(const Scenario& scenario) {
   FrameInput input;
@@ -63,7 +61,8 @@ Follows followed(double bed, double degrees) {
       rotationAbout(Vec3::UnitY(), degrees * std::numbers::pi / 180);
   Scenario stillScenario = scenario;
   stillScenario.breathing.depth = 0;
-  Simulation simulation = simulationOf(scenario), still = simulationOf(stillScenario);
+  Simulation simulation = makeSimulation(scenario, readPlainMesh),
+             still = makeSimulation(stillScenario, readPlainMesh);
   const FrameInput input = idle(scenario);
   StepReport report;
   Follows most;
@@ -99,7 +98,8 @@ TEST_CASE("the liver in the field follows the diaphragm, however it lies in its 
 
 TEST_CASE("a patient without breathing has the same state as before there was breathing") {
   Scenario scenario = fieldLiver(0), deep = fieldLiver(0.01);
-  Simulation simulation = simulationOf(scenario), breathing = simulationOf(deep);
+  Simulation simulation = makeSimulation(scenario, readPlainMesh),
+             breathing = makeSimulation(deep, readPlainMesh);
   bool named = false;
   for (const StateColumn& column : simulation.fields().root.fields)
     named |= column.name == "breath";
@@ -114,7 +114,8 @@ TEST_CASE("a patient without breathing has the same state as before there was br
 
 TEST_CASE("an operation restored in the middle of a breath goes on with the same bits") {
   Scenario scenario = fieldLiver(0.015);
-  Simulation simulation = simulationOf(scenario), other = simulationOf(scenario);
+  Simulation simulation = makeSimulation(scenario, readPlainMesh),
+             other = makeSimulation(scenario, readPlainMesh);
   const auto inputAt = [&](int frame) {
     FrameInput input = frameInput(scenario, frame);
     if (frame == 130) input.breathes = false;
@@ -137,7 +138,7 @@ TEST_CASE("an operation restored in the middle of a breath goes on with the same
 
 TEST_CASE("a minute of breathing under a scalpel that rests on the liver stays calm") {
   Scenario scenario = fieldLiver(0.01, 0.015);
-  Simulation simulation = simulationOf(scenario);
+  Simulation simulation = makeSimulation(scenario, readPlainMesh);
   // Settles first; then the scalpel stands 12 mm deep in the top of the liver.
   FrameInput input = idle(scenario);
   for (int i = 0; i < 90; ++i) simulation.step(input);
@@ -168,7 +169,7 @@ TEST_CASE("a minute of breathing under a scalpel that rests on the liver stays c
 
 TEST_CASE("breathing that is none is refused") {
   Scenario scenario = fieldLiver(0);
-  Simulation simulation = simulationOf(scenario);
+  Simulation simulation = makeSimulation(scenario, readPlainMesh);
   for (const Breathing wrong : {Breathing{-0.01, 12, 1, true}, Breathing{NAN, 12, 1, true},
                                 Breathing{0.01, 0, 1, true}, Breathing{0.01, 12, 2, true}})
     CHECK(test::refuses([&] { simulation.setBreathing(wrong); }, "breathing is"));

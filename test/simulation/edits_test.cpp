@@ -19,8 +19,8 @@ using namespace resect;
 
 namespace {
 
-constexpr double kSpacing = 0.008;
-const Vec3i kDims(14, 6, 10);
+constexpr double kBlockSpacing = 0.008;
+const Vec3i kBlockDims(14, 6, 10);
 
 std::unique_ptr<Tool> hook() {
   ToolModel model;
@@ -41,18 +41,20 @@ std::vector<std::unique_ptr<Tool>> tools(bool acting, std::unique_ptr<Tool> one)
 }
 
 Simulation elastic(bool acting) {
-  return test::elasticBlock(kDims, kSpacing, tools(acting, hook()));
+  return test::elasticBlock(kBlockDims, kBlockSpacing, tools(acting, hook()));
 }
 Simulation stillBlock(bool acting) {
-  return {makeOrgan(test::fullBlock(kDims, kSpacing), {}), tools(acting, test::thinScalpel())};
+  return {makeOrgan(test::fullBlock(kBlockDims, kBlockSpacing), {}),
+          tools(acting, test::thinScalpel())};
 }
 Simulation still(bool acting) {
   return {makeOrgan(test::ball(20), {}), tools(acting, test::ballTool(0.008))};
 }
 
 Simulation withoutTools(bool moves) {
-  if (moves) return test::elasticBlock(kDims, kSpacing, std::vector<std::unique_ptr<Tool>>());
-  return {makeOrgan(test::fullBlock(kDims, kSpacing), {}), {}};
+  if (moves)
+    return test::elasticBlock(kBlockDims, kBlockSpacing, std::vector<std::unique_ptr<Tool>>());
+  return {makeOrgan(test::fullBlock(kBlockDims, kBlockSpacing), {}), {}};
 }
 
 ToolInput at(const Vec3& p, bool inHand = true) {
@@ -107,7 +109,7 @@ std::vector<FrameInput> throughTheBall() {
 // The hook goes in at one end, pulls and is put away.
 std::vector<FrameInput> pull() {
   std::vector<FrameInput> inputs(60);
-  const Vec3 over(3 * kSpacing, 5 * kSpacing, 10 * kSpacing + 0.02);
+  const Vec3 over(3 * kBlockSpacing, 5 * kBlockSpacing, 10 * kBlockSpacing + 0.02);
   const Vec3 in = over - Vec3(0, 0, 0.035);
   for (int i = 0; i < 60; ++i) {
     const Vec3 pulled =
@@ -120,7 +122,7 @@ std::vector<FrameInput> pull() {
 // The scalpel goes down through the middle.
 std::vector<FrameInput> cut() {
   std::vector<FrameInput> inputs(60);
-  const Vec3 start(9 * kSpacing, 6 * kSpacing + 0.012, -0.005);
+  const Vec3 start(9 * kBlockSpacing, 6 * kBlockSpacing + 0.012, -0.005);
   for (int i = 0; i < 60; ++i) inputs[std::size_t(i)].tools = {at(start - Vec3(0, 0.0009 * i, 0))};
   return inputs;
 }
@@ -166,19 +168,20 @@ TEST_CASE("edits are done with no tool at all, on tissue that moves and that doe
     const Lattice& lattice = simulation.organ().rest.lattice;
     const auto cell = [&](int x, int y, int z) { return lattice.index({x, y, z}); };
     FrameInput input;
-    for (int y = 0; y < kDims.y(); ++y)
-      for (int z = 0; z < kDims.z(); ++z) input.edits.push_back({0, -1, RemoveCell{cell(6, y, z)}});
+    for (int y = 0; y < kBlockDims.y(); ++y)
+      for (int z = 0; z < kBlockDims.z(); ++z)
+        input.edits.push_back({0, -1, RemoveCell{cell(6, y, z)}});
     input.edits.push_back({0, -1, SetLabel{cell(1, 1, 1), 4}});
     StepReport report = simulation.step(input);
-    CHECK(report.removed == kDims.y() * kDims.z());
-    CHECK(report.removedVolume == doctest::Approx(60 * std::pow(kSpacing, 3)));
+    CHECK(report.removed == kBlockDims.y() * kBlockDims.z());
+    CHECK(report.removedVolume == doctest::Approx(60 * std::pow(kBlockSpacing, 3)));
     CHECK(report.edits.size() == input.edits.size());
     CHECK(simulation.organ().label(cell(1, 1, 1)) == 4);
     CHECK(topology(simulation.surfaceMesh()).components == 2);
 
     input.edits.clear();
-    for (int y = 0; y < kDims.y(); ++y)
-      for (int z = 0; z < kDims.z(); ++z)
+    for (int y = 0; y < kBlockDims.y(); ++y)
+      for (int z = 0; z < kBlockDims.z(); ++z)
         for (int d = 0; d < kDirections; ++d)
           if (offsetAlong(d, 0) == 1) input.edits.push_back({0, -1, SeverBond{cell(10, y, z), d}});
     report = simulation.step(input);
@@ -253,8 +256,8 @@ TEST_CASE("a joint goes with the cell that it holds, and with it alone") {
   std::vector<OperatedOrgan> organs;
   std::vector<JoinedOrgan> joined;
   for (const int n : {0, 1}) {
-    Discretization cells = test::fullBlock({5, 4, 4}, kSpacing);
-    cells.lattice.origin = Vec3(5 * n * kSpacing, 0.5 * kSpacing, 0);
+    Discretization cells = test::fullBlock({5, 4, 4}, kBlockSpacing);
+    cells.lattice.origin = Vec3(5 * n * kBlockSpacing, 0.5 * kBlockSpacing, 0);
     auto tissue = std::make_unique<ElasticTissue>(
         TissueCells{cells.lattice, cells.inside, {liverTissue()}, {}}, TissueSettings());
     organs.push_back(
@@ -263,7 +266,8 @@ TEST_CASE("a joint goes with the cell that it holds, and with it alone") {
   for (const int n : {0, 1})
     joined.push_back(
         {n, &organs[std::size_t(n)].organ.rest.lattice, organs[std::size_t(n)].tissue.get()});
-  const std::vector<TissueJoint> joints = joinNear(joined[0], joined[1], 1.01 * kSpacing, 50, 1e-3);
+  const std::vector<TissueJoint> joints =
+      joinNear(joined[0], joined[1], 1.01 * kBlockSpacing, 50, 1e-3);
   REQUIRE(joints.size() == 16);
   Simulation simulation(std::move(organs), {}, joints);
   FrameInput input;

@@ -3,21 +3,19 @@
 
 #include "anatomy/small_vessels.h"
 #include "simulation/simulation.h"
-#include "support/block_organ.h"
+#include "simulation/vein_block.h"
 #include "support/test_tools.h"
 
 using namespace resect;
+using test::cutAcrossVein;
 
 namespace {
 
-constexpr double kSide = 0.005;  // m
 constexpr double kHeight = 0.0151, kDepth = 0.0301;
 
-// As in bleeding_test.cpp: 60 x 30 x 60 mm; the vein runs along x.
-Simulation block(std::vector<std::unique_ptr<Tool>> tools, double radius = 0.002) {
-  Discretization cells = test::fullBlock({12, 6, 12}, kSide);
-  cells.lattice.origin = Vec3::Constant(0.5 * kSide);
-  Organ organ = makeOrgan(std::move(cells), {});
+// The vein runs along x.
+Simulation blockWith(std::vector<std::unique_ptr<Tool>> tools, double radius = 0.002) {
+  Organ organ = makeOrgan(test::veinBlock(), {});
   organ.map = makeVesselMap(test::straightVessel(
       VesselKind::PortalVein, Vec3(-0.02, kHeight, kDepth), Vec3(0.05, kHeight, kDepth), radius));
   return Simulation(std::move(organ), std::move(tools));
@@ -42,26 +40,26 @@ std::unique_ptr<Tool> instrument(const char* kind, bool jaws = false) {
 
 const Eigen::Quaterniond kUpright(Eigen::AngleAxisd(-1.5707963267948966, Vec3::UnitX()));
 
-ToolInput at(const Vec3& place, double squeeze = 0) { return {{place, kUpright}, true, squeeze}; }
+ToolInput uprightAt(const Vec3& place, double squeeze = 0) {
+  return {{place, kUpright}, true, squeeze};
+}
 ToolInput away() { return {{Vec3(1, 1, 1), kUpright}, false}; }
 
-StepReport step(Simulation& simulation, std::vector<ToolInput> tools,
-                std::vector<TissueEdit> edits = {}) {
+StepReport stepWith(Simulation& simulation, std::vector<ToolInput> tools,
+                    std::vector<TissueEdit> edits = {}) {
   FrameInput input;
   input.tools = std::move(tools);
   input.edits = std::move(edits);
   return simulation.step(input);
 }
 
-TissueEdit cutAcross() { return {0, -1, Incision{test::acrossX(0.0321, 0.01, 0.05)}}; }
-
 // Draws the aspirator down to the vein and along z through the block, at x.
-void groove(Simulation& simulation, std::size_t tool, double x) {
+void drawGroove(Simulation& simulation, std::size_t tool, double x) {
   std::vector<ToolInput> inputs(simulation.tools().size(), away());
   for (double y = 0.029; y > 0.006; y -= 0.003)
     for (double z = 0.0; z < 0.061; z += 0.002) {
-      inputs[tool] = at({x, y, z});
-      step(simulation, inputs);
+      inputs[tool] = uprightAt({x, y, z});
+      stepWith(simulation, inputs);
     }
 }
 
@@ -75,10 +73,10 @@ TEST_CASE(
         m.jaws.pivot = Vec3(0, 0, 0.03);
         m.jaws.opening = 0.6;
       });
-  Simulation simulation =
-      block(list(instrument("aspirator"), instrument("clip_applier", true), std::move(scissors)));
-  groove(simulation, 0, 0.0175);
-  groove(simulation, 0, 0.0225);
+  Simulation simulation = blockWith(
+      list(instrument("aspirator"), instrument("clip_applier", true), std::move(scissors)));
+  drawGroove(simulation, 0, 0.0175);
+  drawGroove(simulation, 0, 0.0225);
   const Organ& organ = simulation.organ();
   CHECK(organ.removed > 50);
   CHECK(organ.vessels.injuries.empty());
@@ -88,8 +86,8 @@ TEST_CASE(
   for (const double x : {0.0165, 0.0235}) {
     const Vec3 place(x, kHeight, kDepth);
     for (const double squeeze : {0.0, 0.5, 1.0, 1.0})
-      step(simulation, {away(), at(place, squeeze), away()});
-    step(simulation, {away(), away(), away()});
+      stepWith(simulation, {away(), uprightAt(place, squeeze), away()});
+    stepWith(simulation, {away(), away(), away()});
   }
   REQUIRE(organ.vessels.clips.size() == 2);
   CHECK(organ.vessels.clips[0].share < (0.02 + 0.02) / 0.07);
@@ -98,43 +96,41 @@ TEST_CASE(
   // The scissors close across it, from above.
   const Vec3 tip(0.02, kHeight - 0.008, kDepth);
   for (double squeeze = 0; squeeze < 1.01; squeeze += 0.1)
-    step(simulation, {away(), away(), at(tip, std::min(squeeze, 1.0))});
+    stepWith(simulation, {away(), away(), uprightAt(tip, std::min(squeeze, 1.0))});
   REQUIRE(organ.vessels.injuries.size() == 1);
   CHECK(organ.vessels.injuries[0].severed());
   StepReport report;
-  for (int i = 0; i < 60; ++i) report = step(simulation, {away(), away(), away()});
+  for (int i = 0; i < 60; ++i) report = stepWith(simulation, {away(), away(), away()});
   CHECK(report.blood.ends.empty());
 }
 
 TEST_CASE("an aspirator takes thin vessels with the tissue") {
-  Simulation simulation = block(list(instrument("aspirator")), 0.0004);
-  groove(simulation, 0, 0.0225);
+  Simulation simulation = blockWith(list(instrument("aspirator")), 0.0004);
+  drawGroove(simulation, 0, 0.0225);
   CHECK(simulation.organ().vessels.bared.empty());
   REQUIRE(simulation.organ().vessels.injuries.size() == 1);
   CHECK(simulation.organ().vessels.injuries[0].severed());
 }
 
 TEST_CASE("a clip goes to a bleeding end within its reach") {
-  Simulation simulation = block(list(instrument("clip_applier", true)));
-  StepReport report = step(simulation, {away()}, {cutAcross()});
-  for (int i = 0; i < 5; ++i) report = step(simulation, {away()});
+  Simulation simulation = blockWith(list(instrument("clip_applier", true)));
+  StepReport report = stepWith(simulation, {away()}, {cutAcrossVein()});
+  for (int i = 0; i < 5; ++i) report = stepWith(simulation, {away()});
   REQUIRE(report.blood.ends.size() == 1);
   const Vec3 near = Vec3(0.0321, kHeight, kDepth) + Vec3(0.003, 0.002, -0.003);
   for (const double squeeze : {0.0, 0.5, 1.0, 1.0, 0.5, 0.0})
-    report = step(simulation, {at(near, squeeze)});
+    report = stepWith(simulation, {uprightAt(near, squeeze)});
   const VesselState& vessels = simulation.organ().vessels;
   REQUIRE(vessels.clips.size() == 1);
   CHECK(vessels.clipped(vessels.injuries[0], VesselEnd::Root));
-  report = step(simulation, {away()});
+  report = stepWith(simulation, {away()});
   CHECK(report.blood.ends.empty());
 }
 
 TEST_CASE("clips and forceps take the bleeding end at their tips, not a larger one beside it") {
   // An artery of 1.4 mm, and 7 mm beside it a vein of 6 mm that bleeds more.
   const auto both = [](std::unique_ptr<Tool> tool) {
-    Discretization cells = test::fullBlock({12, 6, 12}, kSide);
-    cells.lattice.origin = Vec3::Constant(0.5 * kSide);
-    Organ organ = makeOrgan(std::move(cells), {});
+    Organ organ = makeOrgan(test::veinBlock(), {});
     const auto along = [](VesselKind kind, double z, double radius) {
       return VesselSegment{kind, -1, Vec3(-0.02, kHeight, z), Vec3(0.05, kHeight, z), radius, true};
     };
@@ -146,32 +142,30 @@ TEST_CASE("clips and forceps take the bleeding end at their tips, not a larger o
   for (const char* kind : {"clip_applier", "bipolar"}) {
     CAPTURE(kind);
     Simulation simulation = both(instrument(kind, true));
-    StepReport report = step(simulation, {away()}, {cutAcross()});
-    for (int i = 0; i < 10; ++i) report = step(simulation, {away()});
+    StepReport report = stepWith(simulation, {away()}, {cutAcrossVein()});
+    for (int i = 0; i < 10; ++i) report = stepWith(simulation, {away()});
     REQUIRE(report.blood.ends.size() == 2);
     CHECK(report.blood.ends[0].flow > 2 * report.blood.ends[1].flow);
-    step(simulation, {at(artery + Vec3(0, 0.001, -0.002), 0)});
+    stepWith(simulation, {uprightAt(artery + Vec3(0, 0.001, -0.002), 0)});
     for (int i = 0; i < 150; ++i)
-      report = step(simulation, {at(artery + Vec3(0, 0.001, -0.002), 1)});
+      report = stepWith(simulation, {uprightAt(artery + Vec3(0, 0.001, -0.002), 1)});
     REQUIRE(report.blood.ends.size() == 1);
     CHECK(report.blood.ends[0].segment == 0);  // the vein
   }
 }
 
 TEST_CASE("a vein that bleeds elsewhere can be clipped where it is whole") {
-  Simulation simulation = block(list(instrument("clip_applier", true)));
-  step(simulation, {away()}, {cutAcross()});
+  Simulation simulation = blockWith(list(instrument("clip_applier", true)));
+  stepWith(simulation, {away()}, {cutAcrossVein()});
   const Vec3 place(0.006, kHeight, kDepth);  // 26 mm from the cut
-  for (const double squeeze : {0.0, 0.5, 1.0}) step(simulation, {at(place, squeeze)});
+  for (const double squeeze : {0.0, 0.5, 1.0}) stepWith(simulation, {uprightAt(place, squeeze)});
   const VesselState& vessels = simulation.organ().vessels;
   REQUIRE(vessels.clips.size() == 1);
   CHECK(vessels.clips[0].share == doctest::Approx((0.006 + 0.02) / 0.07).epsilon(0.02));
 }
 
 TEST_CASE("a clip takes the bare vein between its jaws, not an artery that bleeds beside them") {
-  Discretization cells = test::fullBlock({12, 6, 12}, kSide);
-  cells.lattice.origin = Vec3::Constant(0.5 * kSide);
-  Organ organ = makeOrgan(std::move(cells), {});
+  Organ organ = makeOrgan(test::veinBlock(), {});
   const auto along = [](VesselKind kind, double z, double radius) {
     return VesselSegment{kind, -1, Vec3(-0.02, kHeight, z), Vec3(0.05, kHeight, z), radius, true};
   };
@@ -180,41 +174,43 @@ TEST_CASE("a clip takes the bare vein between its jaws, not an artery that bleed
                                  along(VesselKind::HepaticArtery, kDepth + 0.006, 0.0007)}));
   Simulation simulation(std::move(organ),
                         list(instrument("aspirator"), instrument("clip_applier", true)));
-  groove(simulation, 0, 0.0175);
-  groove(simulation, 0, 0.0225);
+  drawGroove(simulation, 0, 0.0175);
+  drawGroove(simulation, 0, 0.0225);
   const Vec3 vein(0.0205, kHeight, kDepth), artery(0.0205, kHeight, kDepth + 0.006);
-  step(simulation, {away(), away()}, {{0, -1, DivideVessel{1, 0.58}}});
+  stepWith(simulation, {away(), away()}, {{0, -1, DivideVessel{1, 0.58}}});
   StepReport report;
-  for (int i = 0; i < 10; ++i) report = step(simulation, {away(), away()});
+  for (int i = 0; i < 10; ++i) report = stepWith(simulation, {away(), away()});
   REQUIRE_FALSE(report.blood.ends.empty());
   for (const BleedingEnd& end : report.blood.ends) CHECK(end.segment == 1);
-  for (const double squeeze : {0.0, 0.5, 1.0, 0.0}) step(simulation, {away(), at(vein, squeeze)});
+  for (const double squeeze : {0.0, 0.5, 1.0, 0.0})
+    stepWith(simulation, {away(), uprightAt(vein, squeeze)});
   const VesselState& vessels = simulation.organ().vessels;
   REQUIRE(vessels.clips.size() == 1);
   CHECK(vessels.clips[0].segment == 0);
-  for (const double squeeze : {0.5, 1.0}) step(simulation, {away(), at(artery, squeeze)});
+  for (const double squeeze : {0.5, 1.0})
+    stepWith(simulation, {away(), uprightAt(artery, squeeze)});
   REQUIRE(vessels.clips.size() == 2);
   CHECK(vessels.clips[1].segment == 1);
 }
 
 TEST_CASE("bipolar forceps seal a cut vein while their tips are closed, and only then") {
-  Simulation simulation = block(list(instrument("bipolar", true)));
-  StepReport report = step(simulation, {away()}, {cutAcross()});
+  Simulation simulation = blockWith(list(instrument("bipolar", true)));
+  StepReport report = stepWith(simulation, {away()}, {cutAcrossVein()});
   const Vec3 place(0.0321, kHeight, kDepth);
-  for (int i = 0; i < 120; ++i) report = step(simulation, {at(place, 0.5)});
+  for (int i = 0; i < 120; ++i) report = stepWith(simulation, {uprightAt(place, 0.5)});
   CHECK(simulation.organ().heat.empty());
   REQUIRE(report.blood.ends.size() == 1);
-  for (int i = 0; i < 300; ++i) report = step(simulation, {at(place, 1)});
+  for (int i = 0; i < 300; ++i) report = stepWith(simulation, {uprightAt(place, 1)});
   CHECK(report.blood.ends.empty());
   CHECK(simulation.organ().vessels.injuries[0].sealed == 3);
   CHECK(simulation.organ().heat.coagulated(place) > 0.9);
 }
 
 TEST_CASE("a clamp shuts the inflow at the hilum, until it is opened or closed there again") {
-  Simulation simulation = block(list(instrument("inflow_clamp", true)));
+  Simulation simulation = blockWith(list(instrument("inflow_clamp", true)));
   const Vec3 hilum(-0.01, kHeight, kDepth), elsewhere(0.05, 0.2, kDepth);
   const auto squeeze = [&](const Vec3& place, std::initializer_list<double> squeezes) {
-    for (const double s : squeezes) step(simulation, {at(place, s)});
+    for (const double s : squeezes) stepWith(simulation, {uprightAt(place, s)});
     return simulation.organ().vessels.inflowClamped;
   };
   CHECK_FALSE(squeeze(elsewhere, {0, 0.6, 1}));
@@ -228,15 +224,15 @@ TEST_CASE("a clamp shuts the inflow at the hilum, until it is opened or closed t
 }
 
 TEST_CASE("a swab slows a cut vein under it while it is pressed, and takes up blood") {
-  Simulation simulation = block(list(instrument("gauze")));
-  StepReport report = step(simulation, {away()}, {cutAcross()});
-  for (int i = 0; i < 60; ++i) report = step(simulation, {away()});
+  Simulation simulation = blockWith(list(instrument("gauze")));
+  StepReport report = stepWith(simulation, {away()}, {cutAcrossVein()});
+  for (int i = 0; i < 60; ++i) report = stepWith(simulation, {away()});
   const double before = report.blood.rate;
-  for (int i = 0; i < 60; ++i) report = step(simulation, {at({0.0321, 0.031, kDepth})});
+  for (int i = 0; i < 60; ++i) report = stepWith(simulation, {uprightAt({0.0321, 0.031, kDepth})});
   CHECK(report.blood.rate < before);
   CHECK(report.blood.ledger.absorbed > 0);
   const Picolitres absorbed = report.blood.ledger.absorbed;
-  for (int i = 0; i < 60; ++i) report = step(simulation, {away()});
+  for (int i = 0; i < 60; ++i) report = stepWith(simulation, {away()});
   CHECK(report.blood.ledger.absorbed == absorbed);
   CHECK(report.blood.ledger.bled == report.blood.ledger.found());
 }
@@ -246,8 +242,9 @@ TEST_CASE("a pencil coagulates where it cuts") {
       "pencil", boxMesh({{-0.0003, -0.002, 0}, {0.0003, 0.002, 0.06}}), [](ToolModel& m) {
         m.edge = {{0, -0.002, 0}, {0, -0.002, 0.02}};
       });
-  Simulation simulation = block(list(std::move(pencil)));
-  for (double z = 0.005; z < 0.05; z += 0.0001) step(simulation, {at({0.0321, 0.022, z})});
+  Simulation simulation = blockWith(list(std::move(pencil)));
+  for (double z = 0.005; z < 0.05; z += 0.0001)
+    stepWith(simulation, {uprightAt({0.0321, 0.022, z})});
   CHECK(simulation.organ().severed.count() > 0);
   CHECK(simulation.organ().heat.coagulated(Vec3(0.0321, 0.0235, 0.03)) > 0.5);
   CHECK(simulation.organ().heat.coagulated(Vec3(0.045, 0.0235, 0.03)) == 0);
@@ -258,11 +255,11 @@ TEST_CASE("with its pedal pressed a pencil coagulates the surface and cuts nothi
       "pencil", boxMesh({{-0.0003, -0.002, 0}, {0.0003, 0.002, 0.06}}), [](ToolModel& m) {
         m.edge = {{0, -0.002, 0}, {0, -0.002, 0.02}};
       });
-  Simulation simulation = block(list(std::move(pencil)));
+  Simulation simulation = blockWith(list(std::move(pencil)));
   for (double z = 0.02; z < 0.04; z += 0.0001) {
-    ToolInput input = at({0.0321, 0.029, z});
+    ToolInput input = uprightAt({0.0321, 0.029, z});
     input.pedal = 1;
-    step(simulation, {input});
+    stepWith(simulation, {input});
   }
   CHECK(simulation.organ().severed.count() == 0);
   CHECK(simulation.organ().removed == 0);

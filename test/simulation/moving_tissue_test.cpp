@@ -13,9 +13,9 @@ using namespace resect;
 
 namespace {
 
-constexpr double kSpacing = 0.008;
+constexpr double kTissueSpacing = 0.008;
 
-Pose at(const Vec3& p) { return {p, Eigen::Quaterniond::Identity()}; }
+Pose poseAt(const Vec3& p) { return {p, Eigen::Quaterniond::Identity()}; }
 
 std::unique_ptr<Tool> toolOfKind(const char* kind, const char* response = "") {
   ToolModel model;
@@ -35,13 +35,13 @@ std::unique_ptr<Tool> toolOfKind(const char* kind, const char* response = "") {
 }
 
 // A block of 14 x 6 x 10 cells on the table.
-Simulation block(std::unique_ptr<Tool> tool) {
-  return test::elasticBlock({14, 6, 10}, kSpacing, std::move(tool));
+Simulation blockOnTable(std::unique_ptr<Tool> tool) {
+  return test::elasticBlock({14, 6, 10}, kTissueSpacing, std::move(tool));
 }
 
-FrameInput input(const Vec3& p, bool inHand = true) {
+FrameInput handInput(const Vec3& p, bool inHand = true) {
   FrameInput frame;
-  frame.tools.push_back({at(p), inHand});
+  frame.tools.push_back({poseAt(p), inHand});
   return frame;
 }
 
@@ -49,7 +49,7 @@ FrameInput input(const Vec3& p, bool inHand = true) {
 std::int64_t drive(Simulation& simulation, const Vec3& from, const Vec3& to, int frames) {
   std::int64_t severed = 0;
   for (int i = 0; i <= frames; ++i) {
-    const StepReport report = simulation.step(input(from + (to - from) * (double(i) / frames)));
+    const StepReport report = simulation.step(handInput(from + (to - from) * (double(i) / frames)));
     CHECK(report.faults.empty());
     severed += report.severed;
   }
@@ -67,43 +67,44 @@ const Vec3 kAway(0.05, 0.3, 0.04);
 }  // namespace
 
 TEST_CASE("tissue that is left alone settles on the table with its surface closed") {
-  Simulation simulation = block(toolOfKind("baton"));
-  for (int i = 0; i < 120; ++i) simulation.step(input(kAway, false));
+  Simulation simulation = blockOnTable(toolOfKind("baton"));
+  for (int i = 0; i < 120; ++i) simulation.step(handInput(kAway, false));
   const Topology t = topology(simulation.surfaceMesh());
   CHECK(t.closed());
   CHECK(t.oriented());
-  CHECK(highest(simulation) > 5 * kSpacing);
-  CHECK(highest(simulation) < 6.01 * kSpacing);
+  CHECK(highest(simulation) > 5 * kTissueSpacing);
+  CHECK(highest(simulation) < 6.01 * kTissueSpacing);
   double lowest = 1;
   for (const Vec3& p : simulation.surfaceMesh().points) lowest = std::min(lowest, p.y());
-  CHECK(std::abs(lowest) < 0.1 * kSpacing);
+  CHECK(std::abs(lowest) < 0.1 * kTissueSpacing);
 }
 
 TEST_CASE("a baton pushes, feels a force, cuts nothing; the surface gives way and comes back") {
-  Simulation simulation = block(toolOfKind("baton"));
-  const Vec3 above(7 * kSpacing, 6 * kSpacing + 0.02, 5 * kSpacing);
+  Simulation simulation = blockOnTable(toolOfKind("baton"));
+  const Vec3 above(7 * kTissueSpacing, 6 * kTissueSpacing + 0.02, 5 * kTissueSpacing);
   CHECK(drive(simulation, above, above - Vec3(0, 0.025, 0), 30) == 0);
   CHECK(simulation.tools()[0].force.y() > 0.3);
   CHECK(simulation.tools()[0].feltForce.y() > 0.2);
   CHECK(simulation.organ().removed == 0);
   double under = 1;
   for (const Vec3& p : simulation.surfaceMesh().points)
-    if (std::hypot(p.x() - above.x(), p.z() - above.z()) < 0.5 * kSpacing && p.y() > 2 * kSpacing)
+    if (std::hypot(p.x() - above.x(), p.z() - above.z()) < 0.5 * kTissueSpacing &&
+        p.y() > 2 * kTissueSpacing)
       under = std::min(under, p.y());
-  CHECK(under < 5.4 * kSpacing);
-  for (int i = 0; i < 120; ++i) simulation.step(input(kAway, false));
+  CHECK(under < 5.4 * kTissueSpacing);
+  for (int i = 0; i < 120; ++i) simulation.step(handInput(kAway, false));
   CHECK(simulation.tools()[0].force == Vec3::Zero());
-  CHECK(highest(simulation) > 5.6 * kSpacing);
+  CHECK(highest(simulation) > 5.6 * kTissueSpacing);
 }
 
 TEST_CASE("a scalpel drawn through parts the block into two bodies and takes nothing away") {
-  Simulation simulation = block(toolOfKind("scalpel"));
+  Simulation simulation = blockOnTable(toolOfKind("scalpel"));
   const std::int64_t particles = simulation.organ().particles;
   // The edge looks down (-Y), 6 cm along z: through the whole height.
-  const Vec3 start(7 * kSpacing, 6 * kSpacing + 0.012, -0.005);
-  CHECK(drive(simulation, start, start - Vec3(0, 6 * kSpacing + 0.006, 0), 40) > 0);
-  const std::int64_t more =
-      drive(simulation, start + Vec3(0, 0, 0.03), start + Vec3(0, -6 * kSpacing - 0.006, 0.03), 40);
+  const Vec3 start(7 * kTissueSpacing, 6 * kTissueSpacing + 0.012, -0.005);
+  CHECK(drive(simulation, start, start - Vec3(0, 6 * kTissueSpacing + 0.006, 0), 40) > 0);
+  const std::int64_t more = drive(simulation, start + Vec3(0, 0, 0.03),
+                                  start + Vec3(0, -6 * kTissueSpacing - 0.006, 0.03), 40);
   CHECK(more > 0);
   CHECK(simulation.organ().particles == particles);
   const Lattice& lattice = simulation.organ().rest.lattice;
@@ -116,14 +117,14 @@ TEST_CASE("a scalpel drawn through parts the block into two bodies and takes not
 }
 
 TEST_CASE("a blade that moves sideways or back out pushes and cuts nothing") {
-  Simulation simulation = block(toolOfKind("scalpel"));
+  Simulation simulation = blockOnTable(toolOfKind("scalpel"));
   CHECK(drive(simulation, {-0.03, 0.03, 0.01}, {0.02, 0.03, 0.01}, 30) == 0);
   CHECK(simulation.tools()[0].force.norm() > 0.01);
 }
 
 TEST_CASE("a hook catches while it pulls, lifts, and lets go when the pull is too much") {
-  Simulation simulation = block(toolOfKind("hook"));
-  const Vec3 over(7 * kSpacing, 5 * kSpacing, 10 * kSpacing + 0.02);
+  Simulation simulation = blockOnTable(toolOfKind("hook"));
+  const Vec3 over(7 * kTissueSpacing, 5 * kTissueSpacing, 10 * kTissueSpacing + 0.02);
   drive(simulation, over, over - Vec3(0, 0, 0.035), 20);
   CHECK(simulation.tissue().gripped(0) == 0);
   const Vec3 in = over - Vec3(0, 0, 0.035);
@@ -133,7 +134,7 @@ TEST_CASE("a hook catches while it pulls, lifts, and lets go when the pull is to
   Vec3 place = in + Vec3(0, 0, 0.002);
   for (int i = 0; i < 120 && !slipped; ++i) {
     place.z() += 0.002;
-    slipped = !simulation.step(input(place)).tissue[0].letGo.empty();
+    slipped = !simulation.step(handInput(place)).tissue[0].letGo.empty();
   }
   CHECK(slipped);
   CHECK(simulation.tissue().gripped(0) == 0);
@@ -141,7 +142,7 @@ TEST_CASE("a hook catches while it pulls, lifts, and lets go when the pull is to
 
 TEST_CASE("every instrument can take tissue out instead, as in the original system") {
   for (const char* kind : {"baton", "scalpel", "hook"}) {
-    Simulation simulation = block(toolOfKind(kind, "remove"));
+    Simulation simulation = blockOnTable(toolOfKind(kind, "remove"));
     drive(simulation, {0.052, 0.08, 0.02}, {0.052, 0.02, 0.02}, 20);
     CHECK(simulation.organ().removed > 0);
     CHECK(topology(simulation.surfaceMesh()).closed());
@@ -150,8 +151,8 @@ TEST_CASE("every instrument can take tissue out instead, as in the original syst
 
 TEST_CASE("moving tissue gives the same state hash at 1, 2 and 3 threads and on a second run") {
   const auto run = [](int) {
-    Simulation simulation = block(toolOfKind("scalpel"));
-    const Vec3 start(7 * kSpacing, 6 * kSpacing + 0.01, 0.01);
+    Simulation simulation = blockOnTable(toolOfKind("scalpel"));
+    const Vec3 start(7 * kTissueSpacing, 6 * kTissueSpacing + 0.01, 0.01);
     drive(simulation, start, start - Vec3(0.004, 0.04, 0), 30);
     return simulation.stateHash();
   };

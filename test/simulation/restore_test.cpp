@@ -26,13 +26,11 @@ using namespace resect;
 
 namespace {
 
-Simulation simulationOf(Scenario& scenario) { return makeSimulation(scenario, readPlainMesh); }
-
 Scenario shipped(const std::string& name) {
   return readScenario(findDataFile(name, "scenarios", ".toml"));
 }
 
-void step(Simulation& simulation, const Scenario& scenario, std::int64_t frame) {
+void stepFrame(Simulation& simulation, const Scenario& scenario, std::int64_t frame) {
   simulation.step(frameInput(scenario, frame));
 }
 
@@ -64,7 +62,8 @@ TEST_CASE("every shipped scenario, restored in another simulation, goes on with 
   for (const std::string& name : shippedNames("scenarios", ".toml")) {
     CAPTURE(name);
     Scenario scenario = shipped(name);
-    Simulation simulation = simulationOf(scenario), other = simulationOf(scenario);
+    Simulation simulation = makeSimulation(scenario, readPlainMesh),
+               other = makeSimulation(scenario, readPlainMesh);
     // Forty seconds of longer ones: what they do later, other scenarios do sooner.
     const std::int64_t frames = std::min<std::int64_t>(frameCount(scenario), 1200);
     // Three states are on their way at most: each is followed for ten frames.
@@ -79,7 +78,8 @@ TEST_CASE("every shipped scenario, restored in another simulation, goes on with 
           const ThreadLimit limit(threads);
           threads = threads % 3 + 1;
           other.restore(saved);
-          for (std::int64_t again = savedAt; again < frame; ++again) step(other, scenario, again);
+          for (std::int64_t again = savedAt; again < frame; ++again)
+            stepFrame(other, scenario, again);
           const std::string difference = differenceOf(simulation, other);
           REQUIRE_MESSAGE(difference.empty(), "frame " << savedAt << ": " << difference);
           REQUIRE(simulation.stateHash() == other.stateHash());
@@ -87,7 +87,7 @@ TEST_CASE("every shipped scenario, restored in another simulation, goes on with 
         saved = simulation.save();
         savedAt = frame;
       }
-      step(simulation, scenario, frame);
+      stepFrame(simulation, scenario, frame);
     }
   }
 }
@@ -97,17 +97,18 @@ TEST_CASE(
   for (const char* name : {"cut-950", "press", "lift", "incise", "snip"}) {
     CAPTURE(name);
     Scenario scenario = shipped(name);
-    Simulation simulation = simulationOf(scenario);
+    Simulation simulation = makeSimulation(scenario, readPlainMesh);
     const std::int64_t frames = frameCount(scenario);
     Bytes saved;
     for (std::int64_t frame = 0; frame < frames; ++frame) {
       if (frame == 6 * frames / 10) saved = simulation.save();
-      step(simulation, scenario, frame);
+      stepFrame(simulation, scenario, frame);
     }
-    Simulation fresh = simulationOf(scenario);
+    Simulation fresh = makeSimulation(scenario, readPlainMesh);
     fresh.restore(saved);
     CHECK(fresh.frame() == 6 * frames / 10);
-    for (std::int64_t frame = fresh.frame(); frame < frames; ++frame) step(fresh, scenario, frame);
+    for (std::int64_t frame = fresh.frame(); frame < frames; ++frame)
+      stepFrame(fresh, scenario, frame);
     CHECK(fresh.stateHash() == simulation.stateHash());
   }
 }
@@ -185,7 +186,8 @@ TEST_CASE("leaps between states, cut and dissolved, give the surface of each bit
 TEST_CASE("leaps between states of a segment that is parted, with other iso levels between") {
   Scenario scenario = shipped("resect-segment-elastic");
   setSpacing(scenario, scenario.organs[0].source.spacing.value_or(0.01), 0.013);
-  Simulation simulation = simulationOf(scenario), other = simulationOf(scenario);
+  Simulation simulation = makeSimulation(scenario, readPlainMesh),
+             other = makeSimulation(scenario, readPlainMesh);
   struct Moment {
     Bytes saved;
     std::uint64_t hash;
@@ -214,7 +216,7 @@ TEST_CASE("leaps between states of a segment that is parted, with other iso leve
       });
       try {
         const StopBy by(stop);
-        for (int k = 1; k < 20; ++k) step(simulation, scenario, 8 * to + k);
+        for (int k = 1; k < 20; ++k) stepFrame(simulation, scenario, 8 * to + k);
       } catch (const Cancelled&) {
         ++stopped;
       }
@@ -363,8 +365,8 @@ TEST_CASE("a saved state is small, and saving and restoring are quick") {
   for (const Case& c : {Case{"press", true, 0.005, 96}, Case{"cut", false, 0.00118, 0.125}}) {
     Scenario scenario = shipped(c.name);
     scenario.organs[0].source.spacing = c.spacing;
-    Simulation simulation = simulationOf(scenario);
-    for (std::int64_t frame = 0; frame < 40; ++frame) step(simulation, scenario, frame);
+    Simulation simulation = makeSimulation(scenario, readPlainMesh);
+    for (std::int64_t frame = 0; frame < 40; ++frame) stepFrame(simulation, scenario, frame);
     Bytes saved;
     const double save = millisecondsOf([&] { saved = simulation.save(); });
     const double restore = millisecondsOf([&] { simulation.restore(saved); });

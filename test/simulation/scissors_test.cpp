@@ -12,7 +12,7 @@ using namespace resect;
 
 namespace {
 
-constexpr double kSpacing = 0.008;
+constexpr double kSlabSpacing = 0.008;
 
 // Blades 40 mm long that open to 0.6 rad in the Y-Z plane; thin, so that they push little.
 std::unique_ptr<Tool> scissors(const char* response = "") {
@@ -27,10 +27,10 @@ std::unique_ptr<Tool> scissors(const char* response = "") {
 
 // A slab of 11 x 9 x 5 cells on the table whose long side is along X.
 Simulation slab(std::unique_ptr<Tool> tool) {
-  return test::elasticBlock({11, 5, 9}, kSpacing, std::move(tool));
+  return test::elasticBlock({11, 5, 9}, kSlabSpacing, std::move(tool));
 }
 
-FrameInput input(const Vec3& tip, double squeeze) {
+FrameInput scissorsInput(const Vec3& tip, double squeeze) {
   FrameInput frame;
   frame.tools.push_back({{tip, Eigen::Quaterniond::Identity()}, true, squeeze});
   return frame;
@@ -41,7 +41,7 @@ std::int64_t squeeze(Simulation& simulation, const Vec3& tip, double from, doubl
   constexpr int kFrames = 12;
   std::int64_t severed = 0;
   for (int i = 0; i <= kFrames; ++i) {
-    const StepReport report = simulation.step(input(tip, from + (to - from) * i / kFrames));
+    const StepReport report = simulation.step(scissorsInput(tip, from + (to - from) * i / kFrames));
     CHECK(report.faults.empty());
     severed += report.severed;
   }
@@ -61,7 +61,7 @@ int across(const Simulation& simulation, int x, Holds holds) {
 }
 
 // The blades straddle the slab's near end (z from 0), their plane between columns 4 and 5.
-const Vec3 kTip(5 * kSpacing + 1e-5, 2.5 * kSpacing, 4 * kSpacing);
+const Vec3 kTip(5 * kSlabSpacing + 1e-5, 2.5 * kSlabSpacing, 4 * kSlabSpacing);
 
 }  // namespace
 
@@ -88,7 +88,7 @@ TEST_CASE("scissors that open, or stay closed, cut nothing wherever they move") 
   CHECK(squeeze(simulation, kTip, 1, 0) == 0);
   std::int64_t severed = 0;
   for (int i = 0; i <= 12; ++i)
-    severed += simulation.step(input(kTip - Vec3(0, 0, 0.002 * i), 0)).severed;
+    severed += simulation.step(scissorsInput(kTip - Vec3(0, 0, 0.002 * i), 0)).severed;
   CHECK(severed == 0);
 }
 
@@ -96,7 +96,7 @@ TEST_CASE("many snips in a row part the slab into two bodies") {
   Simulation simulation = slab(scissors());
   for (const double height : {0.5, 2.5, 4.5})
     for (double z = 7; z > -3; z -= 1.5) {
-      const Vec3 tip(5 * kSpacing + 1e-5, height * kSpacing, z * kSpacing);
+      const Vec3 tip(5 * kSlabSpacing + 1e-5, height * kSlabSpacing, z * kSlabSpacing);
       squeeze(simulation, tip, 0, 1);
     }
   CHECK(across(simulation, 4, [](const Vec3i&) { return true; }) == 0);
@@ -104,7 +104,7 @@ TEST_CASE("many snips in a row part the slab into two bodies") {
 
 TEST_CASE("a squeeze that is not a number opens the jaws and harms nothing") {
   Simulation simulation = slab(scissors());
-  const StepReport report = simulation.step(input(kTip, std::nan("")));
+  const StepReport report = simulation.step(scissorsInput(kTip, std::nan("")));
   CHECK(report.severed == 0);
   CHECK(simulation.tools()[0].way.to.squeeze == 0);
 }
@@ -112,6 +112,6 @@ TEST_CASE("a squeeze that is not a number opens the jaws and harms nothing") {
 TEST_CASE("scissors set to the thesis's response remove what they touch") {
   Simulation simulation = slab(scissors("remove"));
   // The shank over a column of cells' centres.
-  simulation.step(input(kTip + Vec3(0.5 * kSpacing, 0, -0.03), 0));
+  simulation.step(scissorsInput(kTip + Vec3(0.5 * kSlabSpacing, 0, -0.03), 0));
   CHECK(simulation.organ().removed > 0);
 }

@@ -13,14 +13,14 @@ using namespace resect;
 
 namespace {
 
-constexpr double kSide = 0.006;                 // m
-const Vec3i kDims(5, 14, 5);                    // a bar that hangs
+constexpr double kBarSide = 0.006;              // m
+const Vec3i kBarDims(5, 14, 5);                 // a bar that hangs
 constexpr int kGrooveLow = 6, kGrooveHigh = 7;  // layers that are taken away
 constexpr double kRadius = 0.002;               // m, of the vessel
 
 // A bar that hangs from its top, with a vein along it that leans by `tilt`, rad; tilt < 0: none.
 Simulation bar(double tilt) {
-  Discretization cells = test::fullBlock(kDims, kSide);
+  Discretization cells = test::fullBlock(kBarDims, kBarSide);
   cells.lattice.origin = Vec3(0.013, 0.5, -0.02);
   const Aabb box = cells.lattice.box();
   TissueSettings settings;
@@ -28,7 +28,7 @@ Simulation bar(double tilt) {
   auto tissue = std::make_unique<ElasticTissue>(
       TissueCells{cells.lattice, cells.inside, {TissueMaterial()}, {}}, settings);
   TissueAttachment top;
-  top.box = {Vec3(box.min.x() - 1, box.max.y() - 1.5 * kSide, box.min.z() - 1),
+  top.box = {Vec3(box.min.x() - 1, box.max.y() - 1.5 * kBarSide, box.min.z() - 1),
              Vec3::Constant(1) + box.max};
   tissue->attach(top);
   tissue->settle();
@@ -42,7 +42,7 @@ Simulation bar(double tilt) {
 }
 
 // Removes the groove; vessels of 1 mm stay.
-FrameInput groove(const Simulation& simulation) {
+FrameInput removeGroove(const Simulation& simulation) {
   FrameInput input;
   const Lattice& lattice = simulation.organ().rest.lattice;
   for (std::int64_t cell = 0; cell < lattice.cellCount(); ++cell)
@@ -54,7 +54,7 @@ FrameInput groove(const Simulation& simulation) {
 // How far the middle of the lowest layer has sunk, m.
 double sunk(const Simulation& simulation) {
   const Lattice& lattice = simulation.organ().rest.lattice;
-  const std::int64_t cell = lattice.index({kDims.x() / 2, 0, kDims.z() / 2});
+  const std::int64_t cell = lattice.index({kBarDims.x() / 2, 0, kBarDims.z() / 2});
   return -simulation.organs()[0].tissue->displacement(cell).y();
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("a bare vein holds what hangs on it, until it is divided") {
     Simulation simulation = bar(tilt);
     run(simulation, 1);
     const double before = sunk(simulation);
-    simulation.step(groove(simulation));
+    simulation.step(removeGroove(simulation));
     CHECK(simulation.organ().vessels.bared.size() == 1);
     CHECK(simulation.organ().vessels.injuries.empty());
     run(simulation, 3);
@@ -87,7 +87,7 @@ TEST_CASE("a bare vein holds what hangs on it, until it is divided") {
     CHECK(sunk(simulation) > 0.3);  // falls
   }
   Simulation without = bar(-1);
-  without.step(groove(without));
+  without.step(removeGroove(without));
   run(without, 0.5);
   CHECK(sunk(without) > 0.3);
 }
@@ -110,19 +110,19 @@ TEST_CASE("cords are those of wide and of bare vessels, and none leads over a cu
   const auto cords = [&] {
     return vesselCords(simulation.organ(), *simulation.organs()[0].tissue);
   };
-  CHECK(cords().size() == std::size_t(kDims.y() - 1));
-  simulation.step(groove(simulation));
-  CHECK(cords().size() == std::size_t(kDims.y() - 1 - (kGrooveHigh - kGrooveLow + 1)));
+  CHECK(cords().size() == std::size_t(kBarDims.y() - 1));
+  simulation.step(removeGroove(simulation));
+  CHECK(cords().size() == std::size_t(kBarDims.y() - 1 - (kGrooveHigh - kGrooveLow + 1)));
   FrameInput cut;
   cut.edits.push_back({0, -1, DivideVessel{0, 0.2}});
   simulation.step(cut);
-  CHECK(cords().size() == std::size_t(kDims.y() - 2 - (kGrooveHigh - kGrooveLow + 1)));
+  CHECK(cords().size() == std::size_t(kBarDims.y() - 2 - (kGrooveHigh - kGrooveLow + 1)));
   for (const VesselCord& one : cords()) CHECK(one.cord.stiffness > 0);
 }
 
 TEST_CASE("an operation that was saved with a bare vein goes on as it would have") {
   Simulation simulation = bar(0.12), other = bar(0.12);
-  simulation.step(groove(simulation));
+  simulation.step(removeGroove(simulation));
   // Heat makes tissue stiffer, and so the substeps shorter and the cords' limits higher.
   const Lattice& lattice = simulation.organ().rest.lattice;
   FrameInput heat;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kEndless = std::numeric_limits<double>::infinity();
-const Vec3i kDims(6, 4, 5);
+const Vec3i kSmallDims(6, 4, 5);
 
 std::vector<std::unique_ptr<Tool>> twoTools() {
   std::vector<std::unique_ptr<Tool>> tools;
@@ -24,8 +24,10 @@ std::vector<std::unique_ptr<Tool>> twoTools() {
   return tools;
 }
 
-Simulation elastic() { return test::elasticBlock(kDims, 0.008, twoTools()); }
-Simulation still() { return Simulation(makeOrgan(test::fullBlock(kDims, 0.008), {}), twoTools()); }
+Simulation elasticTwoTools() { return test::elasticBlock(kSmallDims, 0.008, twoTools()); }
+Simulation stillTwoTools() {
+  return Simulation(makeOrgan(test::fullBlock(kSmallDims, 0.008), {}), twoTools());
+}
 
 FrameInput inputFor(const Simulation& simulation) {
   FrameInput input;
@@ -37,7 +39,7 @@ FrameInput inputFor(const Simulation& simulation) {
 // Is an input refused that differs from a right one by `change`, with nothing done?
 template <typename Change>
 bool stepRefused(Change change, const char* what) {
-  Simulation simulation = elastic();
+  Simulation simulation = elasticTwoTools();
   FrameInput input = inputFor(simulation);
   change(input);
   const std::uint64_t before = simulation.stateHash();
@@ -66,13 +68,13 @@ TEST_CASE("no simulation is made of nothing, of tools that are none or of joints
   CHECK(refuses(
       [] {
         std::vector<std::unique_ptr<Tool>> tools(2);
-        Simulation(makeOrgan(test::fullBlock(kDims), {}), std::move(tools));
+        Simulation(makeOrgan(test::fullBlock(kSmallDims), {}), std::move(tools));
       },
       "tool 0 is null"));
   const auto withJoint = [](std::int32_t organ, std::int64_t cell, double stiffness) {
     std::vector<OperatedOrgan> organs;
     for (const char* name : {"a", "b"})
-      organs.push_back(operatedOrgan(name, makeOrgan(test::fullBlock(kDims), {})));
+      organs.push_back(operatedOrgan(name, makeOrgan(test::fullBlock(kSmallDims), {})));
     TissueJoint joint;
     joint.organ = {0, organ};
     joint.cell = {0, cell};
@@ -82,11 +84,11 @@ TEST_CASE("no simulation is made of nothing, of tools that are none or of joints
   withJoint(1, 0, 1);
   for (const std::int32_t organ : {-1, 2})
     CHECK(refuses([&] { withJoint(organ, 0, 1); }, "a joint is at organ"));
-  for (const std::int64_t cell : {std::int64_t(-1), std::int64_t(kDims.prod())})
+  for (const std::int64_t cell : {std::int64_t(-1), std::int64_t(kSmallDims.prod())})
     CHECK(refuses([&] { withJoint(1, cell, 1); }, "a joint is at cell"));
   for (const double wrong : {-1.0, kNaN, kEndless})
     CHECK(refuses([&] { withJoint(1, 0, wrong); }, "stiffness"));
-  CHECK(refuses([] { still().surface(); }, "call keepLook() before"));
+  CHECK(refuses([] { stillTwoTools().surface(); }, "call keepLook() before"));
 }
 
 TEST_CASE(
@@ -110,7 +112,7 @@ TEST_CASE(
            : u < 0.9 ? -std::int64_t(random.below(3))
                      : std::int64_t(random.next() >> 2);
   };
-  const int cells = kDims.prod();
+  const int cells = kSmallDims.prod();
   const auto what = [&]() -> decltype(TissueEdit::what) {
     switch (random.below(7)) {
       case 0:
@@ -135,7 +137,7 @@ TEST_CASE(
   };
   int done = 0, refused = 0;
   for (const bool moves : {false, true}) {
-    Simulation simulation = moves ? elastic() : still();
+    Simulation simulation = moves ? elasticTwoTools() : stillTwoTools();
     const Bytes fresh = simulation.save();
     for (int i = 0; i < 400; ++i) {
       FrameInput input = inputFor(simulation);

@@ -127,7 +127,7 @@ TEST_CASE("the score grows with what was done of the goal, and a pass is above i
   Attempt divided = attemptAt(TaskGoal::Kind::Divide);
   divided.goal.restPlaces = {Vec3::Zero()};
   CHECK(goalResult(divided).done == 0);
-  divided.clips = {{1, 0, 0, {0.005, 0, 0}}, {1, 0, 0, {0.5, 0, 0}}};
+  divided.clips = {{1, 0, 0, {0.005, 0, 0}, {}}, {1, 0, 0, {0.5, 0, 0}, {}}};
   CHECK(goalResult(divided).done == doctest::Approx(1.0 / 3));
   divided.vessels = {vesselCut(3, false, false)};
   CHECK(goalResult(divided).done == 0);

@@ -9,6 +9,10 @@
 
 namespace resect::test {
 
+// How a tool stands that is not turned, and where it is far from everything.
+inline const Eigen::Quaterniond kUnturned = Eigen::Quaterniond::Identity();
+inline const Pose kAway{Vec3(0, 1, 0), kUnturned};
+
 // A tool of that kind; `describe` sets the rest of its model.
 template <typename Describe>
 std::unique_ptr<Tool> describedTool(const char* kind, TriangleMesh mesh, const Describe& describe) {

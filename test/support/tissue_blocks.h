@@ -6,6 +6,8 @@
 
 namespace resect::test {
 
+inline constexpr double kFrame = 1.0 / 60;  // duration of a frame, s
+
 // A box of solid cells; cell (0, 0, 0) is centred at the origin.
 inline TissueCells solidBlock(const Vec3i& dims, double spacing, const TissueMaterial& material) {
   TissueCells cells;

@@ -23,7 +23,7 @@ bool isSkinOfBody(const TriangleMesh& mesh) {
   return t.closed() && t.oriented() && t.manifold();
 }
 
-bool same(const SurfaceTracker::Compact& a, const SurfaceTracker::Compact& b) {
+bool sameSurface(const SurfaceTracker::Compact& a, const SurfaceTracker::Compact& b) {
   return a.mesh.points == b.mesh.points && a.mesh.triangles == b.mesh.triangles &&
          a.normals == b.normals && a.cut == b.cut;
 }
@@ -135,7 +135,7 @@ TEST_CASE(
       for (std::int64_t i = 0; i < d.lattice.cellCount(); ++i) now.value.set(i, field.cellValue(i));
       const auto compact = test::withLook(tracker, field);
       const auto rebuilt = test::withLook(field, 50);
-      REQUIRE(same(compact, rebuilt));
+      REQUIRE(sameSurface(compact, rebuilt));
       // From the cells alone the mesh is the same too; only what was cut is not known to them.
       const ColourField fresh(now, refine);
       const auto anew = test::withLook(fresh, 50);
@@ -207,7 +207,8 @@ TEST_CASE("a look that is asked for late is the look that was kept up, and costs
     kept.updateLook(field);
     late.update(field, touched);
     // A few edits, and more than there are bricks.
-    if (edit == 3 || edit == 3999) REQUIRE(same(test::withLook(late, field), kept.compact()));
+    if (edit == 3 || edit == 3999)
+      REQUIRE(sameSurface(test::withLook(late, field), kept.compact()));
   }
   CHECK(late.bytes() < 2 * before);
 }
@@ -247,7 +248,7 @@ TEST_CASE(
   tracker.setIso(field, 30);
   CHECK(volume(tracker.mesh()) > volume(before.mesh));
   tracker.setIso(field, 50);
-  CHECK(same(test::withLook(tracker, field), before));
+  CHECK(sameSurface(test::withLook(tracker, field), before));
 }
 
 TEST_CASE("the surface has the same bits at 1, 2 and 3 threads, edits included") {
@@ -264,8 +265,8 @@ TEST_CASE("the surface has the same bits at 1, 2 and 3 threads, edits included")
     }
     results.push_back(test::withLook(tracker, field));
   }
-  CHECK(same(results[0], results[1]));
-  CHECK(same(results[0], results[2]));
+  CHECK(sameSurface(results[0], results[1]));
+  CHECK(sameSurface(results[0], results[2]));
 }
 
 TEST_CASE("applying only the reported changes to a viewer's copy reproduces the arrays") {

@@ -58,7 +58,7 @@ std::vector<VertexBinding> bindings(const SurfaceTracker& surface) {
   return all;
 }
 
-bool same(const VertexBinding& a, const VertexBinding& b) {
+bool sameBinding(const VertexBinding& a, const VertexBinding& b) {
   return a.count == b.count && a.cell == b.cell && a.weight == b.weight;
 }
 
@@ -68,7 +68,7 @@ void requireSame(const ColourField& field, SurfaceTracker& a, SurfaceTracker&& b
   REQUIRE(one.mesh.triangles == other.mesh.triangles);
   REQUIRE(one.normals == other.normals);
   REQUIRE(one.cut == other.cut);
-  REQUIRE(std::ranges::equal(bindings(a), bindings(b), same));
+  REQUIRE(std::ranges::equal(bindings(a), bindings(b), sameBinding));
 }
 
 }  // namespace

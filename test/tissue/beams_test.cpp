@@ -18,7 +18,7 @@ using test::solidBlock;
 
 namespace {
 
-constexpr double kSpacing = 0.005;
+constexpr double kBeamSpacing = 0.005;
 
 struct Tip {
   double deflection, shortening;  // m
@@ -28,7 +28,7 @@ struct Tip {
 Tip bend(int length, int height, const TissueMaterial& m, double force, double stepShare = 0.5) {
   TissueSettings settings = test::weightless();
   settings.stepShare = stepShare;
-  ElasticTissue tissue(solidBlock({2 * length + 1, height, height}, kSpacing, m), settings);
+  ElasticTissue tissue(solidBlock({2 * length + 1, height, height}, kBeamSpacing, m), settings);
   const double share = force / (height * height);
   test::forEachCell(tissue, [&](std::int64_t c, const Vec3i& at) {
     if (at.x() == length) tissue.setLoad(c, {0, 2 * share, 0});
@@ -46,7 +46,7 @@ Tip bend(int length, int height, const TissueMaterial& m, double force, double s
 }
 
 test::BeamSection section(int height, const TissueMaterial& m) {
-  return {height * kSpacing, height * kSpacing, m.young, m.poisson};
+  return {height * kBeamSpacing, height * kBeamSpacing, m.young, m.poisson};
 }
 
 // Force that would bend the tip by a share of the length.
@@ -62,8 +62,8 @@ TEST_CASE("a cantilever of 4 or 8 cells through its height sags as Timoshenko's 
     const TissueMaterial m = material(5000, 0.3);
     const test::BeamSection b = section(height, m);
     const int length = 8 * height;
-    const double force = smallForce(b, length * kSpacing);
-    const double expected = test::timoshenkoTip(b, length * kSpacing, force);
+    const double force = smallForce(b, length * kBeamSpacing);
+    const double expected = test::timoshenkoTip(b, length * kBeamSpacing, force);
     const double measured = bend(length, height, m, force).deflection;
     CHECK(figures.add("tip at " + std::to_string(height) + " cells (m)", measured, expected,
                       allowed) < allowed);
@@ -74,8 +74,8 @@ TEST_CASE("a beam that hardly changes volume, nu = 0.49, does not lock") {
   test::Figures figures("nearly incompressible beam");
   const TissueMaterial m = material(5000, 0.49);
   const test::BeamSection b = section(4, m);
-  const double force = smallForce(b, 32 * kSpacing);
-  const double expected = test::timoshenkoTip(b, 32 * kSpacing, force);
+  const double force = smallForce(b, 32 * kBeamSpacing);
+  const double expected = test::timoshenkoTip(b, 32 * kBeamSpacing, force);
   CHECK(figures.add("tip at 4 cells (m)", bend(32, 4, m, force).deflection, expected, 0.015) <
         0.015);
 }
@@ -84,7 +84,7 @@ TEST_CASE("a beam bent far follows the elastica") {
   test::Figures figures("elastica");
   const TissueMaterial m = material(5000, 0.3);
   const test::BeamSection b = section(4, m);
-  const double length = 40 * kSpacing;
+  const double length = 40 * kBeamSpacing;
   for (const double load : {0.5, 1.0, 2.0, 3.0}) {
     const double force = load * b.bending() / (length * length);
     const Tip tip = bend(40, 4, m, force);
@@ -102,7 +102,7 @@ TEST_CASE("a static answer does not depend on the substep") {
   test::Figures figures("substep");
   const TissueMaterial m = material(5000, 0.3);
   const test::BeamSection b = section(4, m);
-  const double force = 20 * smallForce(b, 20 * kSpacing);
+  const double force = 20 * smallForce(b, 20 * kBeamSpacing);
   const double whole = bend(20, 4, m, force).deflection;
   const double quarter = bend(20, 4, m, force, 0.15).deflection;
   CHECK(figures.add("tip at dt (m), against 0.3 dt", whole, quarter, 0.005) < 0.005);
@@ -112,10 +112,10 @@ TEST_CASE("a free beam rings at the frequency of Timoshenko's") {
   test::Figures figures("frequency");
   const TissueMaterial m = material(5000, 0.3);
   const int cells = 60, height = 4;
-  const double length = cells * kSpacing;
+  const double length = cells * kBeamSpacing;
   TissueSettings settings = test::weightless();
   settings.damping = 0.02;
-  ElasticTissue tissue(solidBlock({cells, height, height}, kSpacing, m), settings);
+  ElasticTissue tissue(solidBlock({cells, height, height}, kBeamSpacing, m), settings);
   const double expected = test::freeBeamFrequency(section(height, m), length, m.density);
   // The mode's shape, near enough: the tone is read from its projection.
   const auto shape = [&](int x) {

@@ -8,10 +8,10 @@
 #include "tissue/move_tissues.h"
 
 using namespace resect;
+using test::kFrame;
 
 namespace {
 
-constexpr double kFrame = 1.0 / 60;
 const Breathing kUsual{0.01, 12, 0.8, true};
 
 // A block that is pinned at its upper face.

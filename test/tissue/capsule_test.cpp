@@ -14,10 +14,9 @@
 #include "support/moved_tissue.h"
 
 using namespace resect;
+using test::kFrame;
 
 namespace {
-
-constexpr double kFrame = 1.0 / 60;
 
 TissueMaterial underCapsule(double young) {
   TissueMaterial m = test::material(young, 0.45);
@@ -145,7 +144,7 @@ TEST_CASE("the substep is stable with a capsule, on any cells") {
 namespace {
 
 // Force on a ball with a radius of 8 mm that was pressed into a layer, N.
-double pressed(double spacing, double depth, const Vec3& place, bool capsule) {
+double pressedByBall(double spacing, double depth, const Vec3& place, bool capsule) {
   test::TissueLayer layer(spacing, 0.032, 30, liverTissue());
   if (capsule) layer.tissue.setSurface(skinOn(layer.cells, Vec3::UnitY()));
   const SignedDistance ball = test::ballOf(0.008);
@@ -170,8 +169,8 @@ TEST_CASE("a layer with a capsule is 5 to 9 % stiffer to press") {
                                                  {"a corner", {0.5, 0, 0.5}}};
   for (const double spacing : {0.005, 0.004})
     for (const auto& [name, place] : places) {
-      const double with = pressed(spacing, 0.004, place, true);
-      const double without = pressed(spacing, 0.004, place, false);
+      const double with = pressedByBall(spacing, 0.004, place, true);
+      const double without = pressedByBall(spacing, 0.004, place, false);
       const double stiffer = with / without - 1;
       CHECK(figures.add(fmt::format("stiffer by, cells of {:g} mm, over {}", 1e3 * spacing, name),
                         stiffer, 0.069, 0.3) < 0.3);

@@ -14,12 +14,12 @@ using test::solidBlock;
 
 namespace {
 
-Mat3 cofactors(const Mat3& f) { return f.determinant() * f.inverse().transpose(); }
+Mat3 plainCofactors(const Mat3& f) { return f.determinant() * f.inverse().transpose(); }
 
 // First Piola-Kirchhoff stress of the material law, without the limiter.
 Mat3 lawStress(const TissueMaterial& m, const Mat3& f) {
-  return m.shear() * (f - cofactors(f)) +
-         (m.lame() + m.shear()) * (f.determinant() - 1) * cofactors(f);
+  return m.shear() * (f - plainCofactors(f)) +
+         (m.lame() + m.shear()) * (f.determinant() - 1) * plainCofactors(f);
 }
 
 void putAffine(ElasticTissue& tissue, const Mat3& h) {

@@ -8,11 +8,11 @@
 using namespace resect;
 using test::ballOf;
 using test::barOf;
+using test::kFrame;
 using test::moveAndTear;
 
 namespace {
 
-constexpr double kFrame = 1.0 / 60;
 constexpr double kTurn = std::numbers::pi / 6;
 
 struct Layer : test::TissueLayer {
@@ -24,8 +24,8 @@ Pose turned(const Vec3& place, double turn) {
 }
 
 // Force on an instrument that was pressed in by `depth` at `place`, N.
-double pressed(Layer& layer, const SignedDistance& shape, const Vec3& place, double depth,
-               double turn) {
+double pressedAt(Layer& layer, const SignedDistance& shape, const Vec3& place, double depth,
+                 double turn) {
   TissueStep step;
   for (int i = 0; i < 60; ++i) {
     const auto pose = [&](int frame) {
@@ -78,7 +78,7 @@ TEST_CASE("a bar feels the same force over a cell's centre, edge and corner") {
       for (const Vec3& place :
            {Vec3(0, 0, 0), Vec3(0.5, 0, 0.5), Vec3(0.5, 0, 0), Vec3(0.25, 0, 0.25)}) {
         Layer layer(s);
-        const double force = pressed(layer, bar, layer.centre - s * place, depth, turn);
+        const double force = pressedAt(layer, bar, layer.centre - s * place, depth, turn);
         MESSAGE("at " << place.x() << ", " << place.z() << " cells: " << force << " N");
         least = std::min(least, force);
         most = std::max(most, force);
@@ -92,11 +92,11 @@ TEST_CASE("a ball as large as a cell feels nearly what it does on fine cells") {
   for (const double depth : {0.002, 0.004}) {
     CAPTURE(depth);
     Layer fine(0.0025);
-    const double expected = pressed(fine, ball, fine.centre, depth, 0);
+    const double expected = pressedAt(fine, ball, fine.centre, depth, 0);
     for (const double s : {0.008, 0.005})
       for (const Vec3& place : {Vec3(0, 0, 0), Vec3(0.5, 0, 0.5)}) {
         Layer layer(s);
-        const double force = pressed(layer, ball, layer.centre - s * place, depth, 0);
+        const double force = pressedAt(layer, ball, layer.centre - s * place, depth, 0);
         MESSAGE(s << " m: " << force << " N, fine: " << expected << " N");
         CHECK(force == doctest::Approx(expected).epsilon(0.15));
       }
@@ -124,7 +124,7 @@ TEST_CASE("an instrument finer than the cells does not slip between them") {
     double before = 0;
     for (const double depth : {0.002, 0.004, 0.006}) {
       Layer layer(s);
-      const double force = pressed(layer, bar, layer.centre - s * place, depth, 0);
+      const double force = pressedAt(layer, bar, layer.centre - s * place, depth, 0);
       MESSAGE(depth << " m deep: " << force << " N");
       CHECK(force > before + 0.05);
       before = force;

@@ -7,13 +7,12 @@
 #include "support/tissue_blocks.h"
 
 using namespace resect;
+using test::kFrame;
 using test::material;
 using test::moveAndTear;
 using test::solidBlock;
 
 namespace {
-
-constexpr double kFrame = 1.0 / 60;
 
 Pose at(const Vec3& p) { return {p, Eigen::Quaterniond::Identity()}; }
 

@@ -21,12 +21,12 @@
 #include "tissue/move_tissues.h"
 
 using namespace resect;
+using test::kFrame;
 
 namespace {
 
-constexpr double kHeight = 0.05;     // of the block, m
-constexpr double kJ = 50;            // J/m^2; over Young's modulus: 10 mm
-constexpr double kFrame = 1.0 / 60;  // s
+constexpr double kBlockHeight = 0.05;  // of the block, m
+constexpr double kJ = 50;              // J/m^2; over Young's modulus: 10 mm
 
 struct Cut {
   double spacing = 0.005, degrees = 0;  // m; of the block in the lattice
@@ -59,7 +59,7 @@ class Guillotine {
         tissue(cells_, settings()) {
     const auto height = [&](std::int64_t c) { return std::abs(placeAtRest(c).y()); };
     for (std::int64_t c = 0; c < cells_.lattice.cellCount(); ++c)
-      if (tissue.solid(c) && height(c) > kHeight / 2) tissue.hold(c, kHeldAll);
+      if (tissue.solid(c) && height(c) > kBlockHeight / 2) tissue.hold(c, kHeldAll);
     x = -how.length / 2 - 0.002;
     if (how.perSkin > 0) tissue.setSurface(frontFace());
   }
@@ -115,7 +115,7 @@ class Guillotine {
   TissueCells cells() const {
     const double s = how_.spacing, grip = std::max(s, 0.008);
     TissueCells cells;
-    const int side = int(std::ceil(std::hypot(how_.length, kHeight + 2 * grip) / s)) + 4;
+    const int side = int(std::ceil(std::hypot(how_.length, kBlockHeight + 2 * grip) / s)) + 4;
     cells.lattice.spacing = Vec3::Constant(s);
     cells.lattice.dims = {side, side, int(std::lround(how_.width / s)) + 2};
     cells.lattice.origin = -0.5 * s * (cells.lattice.dims - Vec3i::Ones()).cast<double>();
@@ -129,7 +129,7 @@ class Guillotine {
       const Vec3 x = turn_.inverse() * cells.lattice.centre(at);
       cells.solid.push_back(at.z() > 0 && at.z() + 1 < cells.lattice.dims.z() &&
                             std::abs(x.x()) < how_.length / 2 - 1e-9 &&
-                            std::abs(x.y()) < kHeight / 2 + grip - 1e-9);
+                            std::abs(x.y()) < kBlockHeight / 2 + grip - 1e-9);
     }
     return cells;
   }

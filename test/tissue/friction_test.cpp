@@ -6,11 +6,10 @@
 #include "support/tissue_blocks.h"
 
 using namespace resect;
+using test::kFrame;
 using test::moveAndTear;
 
 namespace {
-
-constexpr double kFrame = 1.0 / 60;
 
 struct Slide {
   double friction, speed, turn;  // coefficient; m/s; direction in the lattice's x-z plane, rad

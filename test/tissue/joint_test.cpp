@@ -9,22 +9,23 @@
 #include "tissue/still_tissue.h"
 
 using namespace resect;
+using test::kFrame;
 using test::material;
 using test::solidBlock;
 using test::weightless;
 
 namespace {
 
-constexpr double kFrame = 1.0 / 60, kSpacing = 0.008;
+constexpr double kJointSpacing = 0.008;
 const Vec3i kDims(6, 5, 4);
 
 // Two blocks side by side along x, one cell apart; the second may lie elsewhere.
-TissueCells cellsAt(const Vec3& origin, double spacing = kSpacing, const Vec3i& dims = kDims) {
+TissueCells cellsAt(const Vec3& origin, double spacing = kJointSpacing, const Vec3i& dims = kDims) {
   TissueCells cells = solidBlock(dims, spacing, material(8000, 0.3));
   cells.lattice.origin = origin;
   return cells;
 }
-const Vec3 kBeside(6 * kSpacing, 0, 0);
+const Vec3 kBeside(6 * kJointSpacing, 0, 0);
 
 // Organs by number with what joins them.
 struct Joined {
@@ -94,7 +95,7 @@ Joined pair(const TissueSettings& settings, double stiffness = 400) {
   Joined two;
   two.add(cellsAt(Vec3::Zero()), settings);
   two.add(cellsAt(kBeside), settings);
-  two.join(1.01 * kSpacing, stiffness);
+  two.join(1.01 * kJointSpacing, stiffness);
   return two;
 }
 
@@ -110,7 +111,7 @@ TEST_CASE(
     const Vec3i a = two.lattices[0].cell(joint.cell[0]), b = two.lattices[1].cell(joint.cell[1]);
     CHECK(a == Vec3i(5, b.y(), b.z()));
     CHECK(b.x() == 0);
-    CHECK((joint.rest - Vec3(kSpacing, 0, 0)).norm() < 1e-12);
+    CHECK((joint.rest - Vec3(kJointSpacing, 0, 0)).norm() < 1e-12);
     CHECK(joint.damping > 0);
     stiffness += joint.stiffness;
   }
@@ -119,25 +120,26 @@ TEST_CASE(
   const auto found = [&](double reach) {
     return joinNear(organs[0], organs[1], reach, 1, 1e-4).size();
   };
-  CHECK(found(0.99 * kSpacing) == 0);
-  CHECK(found(2.01 * kSpacing) == 2 * two.joints.size());
+  CHECK(found(0.99 * kJointSpacing) == 0);
+  CHECK(found(2.01 * kJointSpacing) == 2 * two.joints.size());
   // What is gone is not joined.
   two.elastic(0).remove(two.joints[0].cell[0]);
   two.elastic(0).settle();
-  CHECK(found(1.01 * kSpacing) == two.joints.size() - 1);
+  CHECK(found(1.01 * kJointSpacing) == two.joints.size() - 1);
 }
 
 TEST_CASE("of lattices that do not line up the nearest cell is the one found by looking at all") {
   Joined two;
   two.add(cellsAt(Vec3::Zero()), weightless());
-  two.add(cellsAt({0.7 * kSpacing, 4.6 * kSpacing, 0.4 * kSpacing}, 0.6 * kSpacing, {9, 7, 8}),
+  two.add(cellsAt({0.7 * kJointSpacing, 4.6 * kJointSpacing, 0.4 * kJointSpacing},
+                  0.6 * kJointSpacing, {9, 7, 8}),
           weightless());
   const auto organs = two.organs();
   for (const double reach : {0.4, 0.8, 1.0, 1.7, 2.5}) {
-    const auto joints = joinNear(organs[0], organs[1], reach * kSpacing, 1, 1e-4);
+    const auto joints = joinNear(organs[0], organs[1], reach * kJointSpacing, 1, 1e-4);
     std::size_t joined = 0;
     for (std::int64_t c = 0; c < two.lattices[0].cellCount(); ++c) {
-      double nearest = reach * kSpacing;
+      double nearest = reach * kJointSpacing;
       bool any = false;
       for (std::int64_t o = 0; o < two.lattices[1].cellCount(); ++o) {
         const double d = (two.lattices[1].centre(two.lattices[1].cell(o)) -
@@ -201,9 +203,9 @@ TEST_CASE("without weight and drag the momenta of joined blocks add up to what t
 TEST_CASE("joined blocks of cells of other sizes move in the same substeps and stay calm") {
   Joined two;
   two.add(cellsAt(Vec3::Zero()), weightless());
-  two.add(cellsAt(Vec3(5.75 * kSpacing, 0, 0), 0.5 * kSpacing, {8, 8, 8}), weightless());
+  two.add(cellsAt(Vec3(5.75 * kJointSpacing, 0, 0), 0.5 * kJointSpacing, {8, 8, 8}), weightless());
   // As stiff as it gets, and far beyond the nearest cells.
-  two.join(5 * kSpacing, 1e9);
+  two.join(5 * kJointSpacing, 1e9);
   for (std::int64_t c = 0; c < two.lattices[0].cellCount(); ++c)
     two.elastic(0).setVelocity(c, {-0.2, 0.1, 0});
   const Vec3 before = two.momentum(0);
@@ -219,11 +221,12 @@ TEST_CASE("joined blocks of cells of other sizes move in the same substeps and s
 }
 
 TEST_CASE("however many cells are joined to one, substeps as long as ever follow them") {
-  for (const double spacing : {kSpacing, 2 * kSpacing}) {
+  for (const double spacing : {kJointSpacing, 2 * kJointSpacing}) {
     Joined two;
-    two.add(cellsAt(Vec3::Zero(), kSpacing, {12, 4, 4}), weightless());
-    two.add(cellsAt(Vec3(11.5 * kSpacing + 0.5 * spacing, 0, 0), spacing, {2, 4, 4}), weightless());
-    two.join(13 * kSpacing, 1e9);
+    two.add(cellsAt(Vec3::Zero(), kJointSpacing, {12, 4, 4}), weightless());
+    two.add(cellsAt(Vec3(11.5 * kJointSpacing + 0.5 * spacing, 0, 0), spacing, {2, 4, 4}),
+            weightless());
+    two.join(13 * kJointSpacing, 1e9);
     CHECK(two.joints.size() == 12 * 4 * 4);
     for (std::int64_t c = 0; c < two.lattices[0].cellCount(); ++c)
       two.elastic(0).setVelocity(c, {-0.05, 0.02, 0});
@@ -241,9 +244,9 @@ TEST_CASE("joined tissue gives the same bits at 1, 2 and 3 threads and on a seco
     TissueSettings settings;
     settings.threads = threads;
     Joined two;
-    two.add(cellsAt(Vec3::Zero(), kSpacing, {30, 20, 12}), settings);
-    two.add(cellsAt(Vec3(30 * kSpacing, 0, 0), kSpacing, {30, 20, 12}), settings);
-    two.join(1.01 * kSpacing, 2000);
+    two.add(cellsAt(Vec3::Zero(), kJointSpacing, {30, 20, 12}), settings);
+    two.add(cellsAt(Vec3(30 * kJointSpacing, 0, 0), kJointSpacing, {30, 20, 12}), settings);
+    two.join(1.01 * kJointSpacing, 2000);
     for (int z = 0; z < 12; ++z)
       for (int y = 0; y < 20; ++y)
         two.elastic(0).hold(two.lattices[0].index({0, y, z}), kHeldAll, {0, 0.1, -0.1});
@@ -263,7 +266,7 @@ TEST_CASE("joined to an organ that is still, a block hangs from it as from an an
     if (stillFirst) two.addStill(cellsAt(Vec3::Zero()));
     two.add(cellsAt(stillFirst ? kBeside : Vec3(0, 0, 0)), settings);
     if (!stillFirst) two.addStill(cellsAt(kBeside));
-    two.join(1.01 * kSpacing, 400);
+    two.join(1.01 * kJointSpacing, 400);
     CHECK(two.joints.size() == std::size_t(kDims.y() * kDims.z()));
     two.move(240);
     const std::size_t hanging = stillFirst ? 1 : 0;

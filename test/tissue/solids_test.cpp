@@ -11,7 +11,7 @@ using test::solidBlock;
 
 namespace {
 
-constexpr double kSpacing = 0.005;
+constexpr double kSolidSpacing = 0.005;
 // Where a single held layer of cells acts as a wall: so many spacings inside the layer's centres
 // (measured by the test of the hanging bar; its gradients are one-sided).
 constexpr double kWall = 0.33;
@@ -22,12 +22,12 @@ TEST_CASE("a square bar twists as Saint-Venant's does") {
   test::Figures figures("torsion");
   const int n = 8, length = 4 * n;
   const TissueMaterial m = material(5000, 0.3);
-  ElasticTissue tissue(solidBlock({length, n, n}, kSpacing, m), test::weightless());
+  ElasticTissue tissue(solidBlock({length, n, n}, kSolidSpacing, m), test::weightless());
   const Vec3 middle = tissue.lattice().box().centre();
   const auto fromAxis = [&](const Vec3i& at) { return Vec3(tissue.lattice().centre(at) - middle); };
   test::forEachCell(tissue, [&](std::int64_t c, const Vec3i& at) {
     const Vec3 x = fromAxis(at);
-    const double angle = 0.02 * x.x() / (length * kSpacing);
+    const double angle = 0.02 * x.x() / (length * kSolidSpacing);
     tissue.setDisplacement(c, {0, -angle * x.z(), angle * x.y()});
     if (at.x() == 0 || at.x() == length - 1) tissue.hold(c, kHeldY | kHeldZ);  // free to warp
   });
@@ -41,8 +41,8 @@ TEST_CASE("a square bar twists as Saint-Venant's does") {
     turn += half * (x.y() * u.z() - x.z() * u.y());
     if (half > 0) weight += x.tail<2>().squaredNorm();
   });
-  const double rate = turn / weight / (n * kSpacing);
-  const double expected = 0.140577 * m.shear() * rate * std::pow(n * kSpacing, 4);
+  const double rate = turn / weight / (n * kSolidSpacing);
+  const double expected = 0.140577 * m.shear() * rate * std::pow(n * kSolidSpacing, 4);
   CHECK(figures.add("torque at 8 x 8 cells (N m)", std::abs(torque), expected, 0.03) < 0.03);
 }
 
@@ -52,13 +52,13 @@ TEST_CASE("a slit opens under tension as fracture mechanics says") {
   const int half = 6, width = 8 * half, height = 16 * half;
   const double stress = 10;
   const TissueMaterial m = material(5000, 0.3);
-  ElasticTissue tissue(solidBlock({width, height, 3}, kSpacing, m), test::weightless());
+  ElasticTissue tissue(solidBlock({width, height, 3}, kSolidSpacing, m), test::weightless());
   const double low = width / 2 - half - 0.5, high = width / 2 + half - 0.5;
   const auto above = [&](const Vec3i& at) { return at.y() >= height / 2; };
   test::forEachCell(tissue, [&](std::int64_t c, const Vec3i& at) {
     tissue.hold(c, kHeldZ);
     if (at.y() == 0 || at.y() == height - 1)
-      tissue.setLoad(c, {0, (at.y() ? stress : -stress) * kSpacing * kSpacing, 0});
+      tissue.setLoad(c, {0, (at.y() ? stress : -stress) * kSolidSpacing * kSolidSpacing, 0});
     for (int d = 0; d < kDirections; ++d) {
       const double crossing = at.x() + 0.5 * offsetAlong(d, 0);
       if (above(at) != above(at + offsetOf(d)) && crossing > low && crossing < high)
@@ -78,7 +78,7 @@ TEST_CASE("a slit opens under tension as fracture mechanics says") {
   const double strip = -0.071 - 0.535 * r + 0.169 * r * r + 0.09 * r * r * r +
                        0.02 * r * r * r * r - 1.071 / r * std::log(1 - r);
   const double expected =
-      4 * stress * half * kSpacing / (m.young / (1 - m.poisson * m.poisson)) * strip;
+      4 * stress * half * kSolidSpacing / (m.young / (1 - m.poisson * m.poisson)) * strip;
   CHECK(figures.add("opening of a slit of 12 cells (m)", opening / count, expected, 0.05) < 0.05);
 }
 
@@ -91,7 +91,7 @@ TEST_CASE(
   const int n = 30;
   // Without a wall: two bars end to end, pulled apart by weights in opposite directions.
   {
-    ElasticTissue tissue(solidBlock({2 * n + 1, 5, 5}, kSpacing, m), test::weightless());
+    ElasticTissue tissue(solidBlock({2 * n + 1, 5, 5}, kSolidSpacing, m), test::weightless());
     test::forEachCell(tissue, [&](std::int64_t c, const Vec3i& at) {
       const int side = (at.x() > n) - (at.x() < n);
       tissue.setLoad(c, {side * tissue.mass(c) * g, 0, 0});
@@ -103,7 +103,7 @@ TEST_CASE(
       if (at.x() == 0) tip -= tissue.displacement(c).x() / 50;
     });
     // Stress from the middle out to the end face, which is half a cell beyond the last centre.
-    const double x = n * kSpacing, face = x + kSpacing / 2;
+    const double x = n * kSolidSpacing, face = x + kSolidSpacing / 2;
     const double expected = m.density * g / m.young * (face * x - x * x / 2);
     CHECK(figures.add("tip, no wall (m)", tip, expected, 0.01) < 0.01);
   }
@@ -111,13 +111,13 @@ TEST_CASE(
   {
     TissueSettings settings;
     settings.gravity = {g, 0, 0};
-    ElasticTissue tissue(solidBlock({n, 5, 5}, kSpacing, material(5000, 0)), settings);
+    ElasticTissue tissue(solidBlock({n, 5, 5}, kSolidSpacing, material(5000, 0)), settings);
     test::forEachCell(tissue, [&](std::int64_t c, const Vec3i& at) {
       if (at.x() == 0) tissue.hold(c, kHeldX);
     });
     CHECK(test::relax(tissue) < 40000);
     const double tip = tissue.displacement(tissue.lattice().index({n - 1, 2, 2})).x();
-    const double x = (n - 1 - kWall) * kSpacing, face = x + kSpacing / 2;
+    const double x = (n - 1 - kWall) * kSolidSpacing, face = x + kSolidSpacing / 2;
     const double expected = m.density * g / m.young * (face * x - x * x / 2);
     CHECK(figures.add("tip, if the wall is 0.33 spacings inside (m)", tip, expected, 0.01) < 0.01);
   }

@@ -16,7 +16,8 @@
 #include "support/temporary_folder.h"
 
 using namespace resect;
-using namespace resect::test;
+using test::isOneSentence, test::sentenceOf, test::tells;
+using test::PlainImage, test::TemporaryFolder, test::twoBoxes;
 
 namespace {
 
@@ -29,9 +30,9 @@ struct SegForm {
   bool counted = true;  // with NumberOfFrames
 };
 
-std::string number(double value) { return fmt::format("{:.10g}", value); }
+std::string decimal(double value) { return fmt::format("{:.10g}", value); }
 
-std::string numbers(const Vec3& v) {
+std::string decimals(const Vec3& v) {
   return fmt::format("{:.10g}\\{:.10g}\\{:.10g}", v.x(), v.y(), v.z());
 }
 
@@ -69,13 +70,13 @@ std::string segBytes(const PlainImage& image, const SegForm& form = {}) {
   shared->findOrCreateSequenceItem(DCM_PlaneOrientationSequence, inner);
   inner->putAndInsertString(
       DCM_ImageOrientationPatient,
-      (numbers(image.step.col(0) / spacing[0]) + "\\" + numbers(image.step.col(1) / spacing[1]))
+      (decimals(image.step.col(0) / spacing[0]) + "\\" + decimals(image.step.col(1) / spacing[1]))
           .c_str());
   shared->findOrCreateSequenceItem(DCM_PixelMeasuresSequence, inner);
   inner->putAndInsertString(DCM_PixelSpacing,
-                            (number(spacing[1]) + "\\" + number(spacing[0])).c_str());
+                            (decimal(spacing[1]) + "\\" + decimal(spacing[0])).c_str());
   inner->putAndInsertString(DCM_SliceThickness, "99");  // which is not their distance
-  if (form.said) inner->putAndInsertString(DCM_SpacingBetweenSlices, number(spacing[2]).c_str());
+  if (form.said) inner->putAndInsertString(DCM_SpacingBetweenSlices, decimal(spacing[2]).c_str());
   std::vector<bool> pixels;
   for (const Frame& frame : frames) {
     DcmItem* own = nullptr;
@@ -83,7 +84,7 @@ std::string segBytes(const PlainImage& image, const SegForm& form = {}) {
     own->findOrCreateSequenceItem(DCM_PlanePositionSequence, inner);
     const double slice = frame.slice == slices - 1 ? frame.slice - 1 + form.gap : frame.slice;
     inner->putAndInsertString(DCM_ImagePositionPatient,
-                              numbers(image.origin + slice * image.step.col(2)).c_str());
+                              decimals(image.origin + slice * image.step.col(2)).c_str());
     own->findOrCreateSequenceItem(DCM_SegmentIdentificationSequence, inner);
     inner->putAndInsertUint16(DCM_ReferencedSegmentNumber, Uint16(frame.segment));
     for (int i = 0; i < rows * columns; ++i)
@@ -105,7 +106,7 @@ std::string segBytes(const PlainImage& image, const SegForm& form = {}) {
   return readWholeFile(path);
 }
 
-void checkSame(const LabelImage& image, const PlainImage& plain) {
+void checkSameSegments(const LabelImage& image, const PlainImage& plain) {
   REQUIRE(image.dims == plain.dims);
   CHECK((image.origin - 1e-3 * plain.origin).norm() < 1e-9);
   CHECK((image.step - 1e-3 * plain.step).norm() < 1e-9);
@@ -125,7 +126,8 @@ TEST_CASE("a DICOM segmentation is read: overlapping segments, frames in any ord
   for (const int bits : {1, 8})
     for (const bool said : {true, false})
       for (const bool reversed : {false, true})
-        checkSame(readDicomFile("a.dcm", segBytes(plain, {bits, said, 1, reversed})), plain);
+        checkSameSegments(readDicomFile("a.dcm", segBytes(plain, {bits, said, 1, reversed})),
+                          plain);
 }
 
 TEST_CASE("a DICOM segmentation that does not say how many frames it has is read as one") {

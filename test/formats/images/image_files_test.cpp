@@ -12,12 +12,15 @@
 #include "support/sentence.h"
 
 using namespace resect;
-using namespace resect::test;
+using test::isOneSentence, test::sentenceOf, test::tells;
+using test::niftiBytes, test::nrrdBytes, test::metaBytes;
+using test::NiftiForm, test::NrrdForm, test::PlainImage;
+using test::packed, test::textOf, test::twoBoxes, test::voxels;
 
 namespace {
 
 // accuracy: of places, m.
-void checkSame(const LabelImage& image, const PlainImage& plain, double accuracy = 1e-9) {
+void checkSameLabels(const LabelImage& image, const PlainImage& plain, double accuracy = 1e-9) {
   REQUIRE(image.dims == plain.dims);
   CHECK((image.origin - 1e-3 * plain.origin).norm() < accuracy);
   CHECK((image.step - 1e-3 * plain.step).norm() < accuracy);
@@ -62,7 +65,7 @@ TEST_CASE("a NIfTI image of any version, type and order of bytes is read") {
         NiftiForm form;
         form.version = version, form.type = type, form.big = big;
         const LabelImage image = readNiftiFile("a.nii", niftiBytes(plain, form));
-        checkSame(image, plain, version == 1 ? 1e-7 : 1e-9);  // single precision
+        checkSameLabels(image, plain, version == 1 ? 1e-7 : 1e-9);  // single precision
         CHECK(image.format == (version == 1 ? "NIfTI-1" : "NIfTI-2"));
       }
   NiftiForm scaled;
@@ -71,16 +74,16 @@ TEST_CASE("a NIfTI image of any version, type and order of bytes is read") {
   for (double& value : doubled.values) value = 0.5 * value;
   NiftiForm wide = scaled;
   wide.slope = 2, wide.type = VoxelType::F32;
-  checkSame(readNiftiFile("a.nii", niftiBytes(doubled, wide)), plain, 1e-7);
+  checkSameLabels(readNiftiFile("a.nii", niftiBytes(doubled, wide)), plain, 1e-7);
   NiftiForm pair;
   pair.pair = true;
   const std::string header = niftiBytes(plain, pair);
   CHECK(lacking([&] { readNiftiFile("/x/a.hdr", header); }) == "a.img");
   CHECK(lacking([&] { readNiftiFile("/x/a.hdr.gz", header); }) == "a.img.gz");
   const std::string data = voxels(plain, VoxelType::U8, false);
-  checkSame(readNiftiFile("/x/a.hdr", header, file("a.img", data)), plain, 1e-7);
-  checkSame(readNiftiFile("/x/a.hdr.gz", header, file("a.img.gz", packed(data, true))), plain,
-            1e-7);
+  checkSameLabels(readNiftiFile("/x/a.hdr", header, file("a.img", data)), plain, 1e-7);
+  checkSameLabels(readNiftiFile("/x/a.hdr.gz", header, file("a.img.gz", packed(data, true))), plain,
+                  1e-7);
 }
 
 TEST_CASE("a NIfTI image placed by a quaternion is placed as one placed by rows") {
@@ -103,7 +106,7 @@ TEST_CASE("a NIfTI image placed by a quaternion is placed as one placed by rows"
     set(256, float(q.x())), set(260, float(q.y())), set(264, float(q.z()));
     for (int a = 0; a < 3; ++a) set(268 + 4 * std::size_t(a), float(offset[a]));
     std::memset(bytes.data() + 280, 0, 48);
-    checkSame(readNiftiFile("a.nii", bytes), plain, 1e-7);
+    checkSameLabels(readNiftiFile("a.nii", bytes), plain, 1e-7);
   }
 }
 
@@ -133,18 +136,18 @@ TEST_CASE("an NRRD image of any type, encoding and space is read") {
         for (const bool big : {false, true}) {
           if (encoding == "ascii" && big) continue;
           NrrdForm form{name, type, big, encoding, space, "", ""};
-          checkSame(readNrrdFile("a.nrrd", nrrdBytes(plain, form)), plain);
+          checkSameLabels(readNrrdFile("a.nrrd", nrrdBytes(plain, form)), plain);
         }
   NrrdForm apart;
   apart.dataFile = "a.raw";
   const std::string header = nrrdBytes(plain, apart);
   CHECK(lacking([&] { readNrrdFile("a.nhdr", header); }) == "a.raw");
-  checkSame(readNrrdFile("a.nhdr", header, file("a.raw", voxels(plain, VoxelType::U8, false))),
-            plain);
+  checkSameLabels(
+      readNrrdFile("a.nhdr", header, file("a.raw", voxels(plain, VoxelType::U8, false))), plain);
   apart.more = "byte skip: 5\n";
-  checkSame(readNrrdFile("a.nhdr", nrrdBytes(plain, apart),
-                         file("a.raw", "12345" + voxels(plain, VoxelType::U8, false))),
-            plain);
+  checkSameLabels(readNrrdFile("a.nhdr", nrrdBytes(plain, apart),
+                               file("a.raw", "12345" + voxels(plain, VoxelType::U8, false))),
+                  plain);
 }
 
 TEST_CASE("segments of 3D Slicer have their names, also where they overlap") {
@@ -183,17 +186,18 @@ TEST_CASE("a MetaImage of any type and form is read") {
   for (const auto& [name, type] : types)
     for (const bool big : {false, true})
       for (const bool compressed : {false, true})
-        checkSame(readMetaImageFile(
-                      "a.mha", metaBytes(plain, {name, type, big, compressed, false, "LOCAL"})),
+        checkSameLabels(readMetaImageFile("a.mha", metaBytes(plain, {name, type, big, compressed,
+                                                                     false, "LOCAL"})),
+                        plain);
+  checkSameLabels(readMetaImageFile("a.mha", metaBytes(plain, {"MET_SHORT", VoxelType::I16, false,
+                                                               false, true, "LOCAL"})),
                   plain);
-  checkSame(readMetaImageFile("a.mha", metaBytes(plain, {"MET_SHORT", VoxelType::I16, false, false,
-                                                         true, "LOCAL"})),
-            plain);
   const std::string header =
       metaBytes(plain, {"MET_UCHAR", VoxelType::U8, false, false, false, "a.zraw"});
   CHECK(lacking([&] { readMetaImageFile("a.mhd", header); }) == "a.zraw");
-  checkSame(readMetaImageFile("a.mhd", header, file("a.zraw", voxels(plain, VoxelType::U8, false))),
-            plain);
+  checkSameLabels(
+      readMetaImageFile("a.mhd", header, file("a.zraw", voxels(plain, VoxelType::U8, false))),
+      plain);
 }
 
 TEST_CASE("scans, torn files and files elsewhere are refused with a sentence") {

@@ -15,9 +15,9 @@ using namespace resect;
 
 namespace {
 
-using Body = std::function<double(const Vec3&)>;  // m: below 0 inside
+using SolidBody = std::function<double(const Vec3&)>;  // m: below 0 inside
 
-double ball(const Vec3& p) { return p.norm() - 0.04; }
+double ballDistance(const Vec3& p) { return p.norm() - 0.04; }
 
 // A flat body as a liver is: an ellipsoid with a flat side.
 double halfEllipsoid(const Vec3& p) {
@@ -33,7 +33,7 @@ double vessel(const Vec3& p) {  // a bent tube of 8 mm
 }
 
 // Labels voxels whose centre is inside.
-LabelImage labelled(const Body& body, const Vec3& spacing, const Eigen::Quaterniond& turn,
+LabelImage labelled(const SolidBody& body, const Vec3& spacing, const Eigen::Quaterniond& turn,
                     const Vec3& reach, double mirror) {
   LabelImage image;
   image.format = "test";
@@ -59,7 +59,7 @@ struct Fit {
   double beyondHalf = 0;  // share of the points that are farther than half a voxel
 };
 
-Fit fit(const Body& body, const LabelImage& image) {
+Fit fit(const SolidBody& body, const LabelImage& image) {
   const int chosen[] = {0};
   const TriangleMesh mesh = labelSurface(image, chosen);
   const Topology t = topology(mesh);
@@ -91,10 +91,10 @@ TEST_CASE(
     "the surface of a label lies within half a voxel of the body, in thick and turned slices") {
   struct Named {
     const char* name;
-    Body body;
+    SolidBody body;
     Vec3 reach;
   };
-  for (const Named& one : {Named{"ball", ball, Vec3::Constant(0.045)},
+  for (const Named& one : {Named{"ball", ballDistance, Vec3::Constant(0.045)},
                            Named{"half ellipsoid", halfEllipsoid, Vec3::Constant(0.095)}})
     for (const Vec3& spacing : {kEven, kThick, kCoarse})
       for (const Eigen::Quaterniond& turn : {Eigen::Quaterniond::Identity(), kTurn})
@@ -147,7 +147,7 @@ TEST_CASE("vessels count where they lie within an organ, also through it along a
       return std::max(std::hypot(p.y(), p.z()) - 0.004, std::max(start - p.x(), p.x() - 0.07));
     };
     LabelImage image =
-        labelled(ball, kEven, Eigen::Quaterniond::Identity(), Vec3::Constant(0.08), 1);
+        labelled(ballDistance, kEven, Eigen::Quaterniond::Identity(), Vec3::Constant(0.08), 1);
     image.labels.push_back({2, "vein", 0, 0});
     std::size_t i = 0;
     std::int64_t within = 0;

@@ -5,12 +5,14 @@
 #include <cstring>
 
 #include "formats/meshes/cube_text.h"
+#include "formats/meshes/number_bytes.h"
 #include "geometry/measures.h"
 #include "geometry/topology.h"
 #include "support/malformed/malformed.h"
 #include "support/sentence.h"
 
 using namespace resect;
+using test::numberBytes;
 
 namespace {
 
@@ -21,22 +23,16 @@ struct Form {
   bool normalized;  // whether `one` is a share
 };
 
-std::string bytesOf(int value, int size) {
-  std::string bytes;
-  for (int i = 0; i < size; ++i) bytes += char(value >> (8 * i));
-  return bytes;
-}
-
 int sizeOf(const Form& form) { return form.componentType <= 5121 ? 1 : 2; }
 
 std::string dataOf(const Form& form) {
   std::string data;
   for (const Vec3& p : test::cube().points) {
-    for (int k = 0; k < 3; ++k) data += bytesOf(p[k] == 1 ? form.one : 0, sizeOf(form));
-    data += bytesOf(0, sizeOf(form));  // each starts at a multiple of four bytes
+    for (int k = 0; k < 3; ++k) data += numberBytes(p[k] == 1 ? form.one : 0, sizeOf(form));
+    data += numberBytes(0, sizeOf(form));  // each starts at a multiple of four bytes
   }
   for (const Triangle& t : test::kCubeTriangles)
-    for (const std::int32_t i : t) data += bytesOf(i, 2);
+    for (const std::int32_t i : t) data += numberBytes(i, 2);
   return data;
 }
 
@@ -59,14 +55,14 @@ std::string jsonOf(const Form& form, const std::string& buffer, const std::strin
 
 constexpr const char* kQuantized = R"("KHR_mesh_quantization")";
 
-void checkCube(const Model& model) {
+void checkGltfCube(const Model& model) {
   REQUIRE(model.parts.size() == 1);
   CHECK(model.parts[0].name == "left kidney");
   CHECK(topology(model.parts[0].mesh).closed());
   CHECK(volume(model.parts[0].mesh) == doctest::Approx(1).epsilon(1e-5));
 }
 
-std::string sentence(const std::string& bytes) {
+std::string sentenceOfGltf(const std::string& bytes) {
   return test::sentenceOf([&] { readGltfFile("a.glb", bytes); });
 }
 
@@ -80,12 +76,12 @@ TEST_CASE("quantized positions of every kind are read") {
     Model model =
         readGltfFile("a.glb", test::binaryGltf(jsonOf(form, "", kQuantized, scale), dataOf(form)));
     if (form.one < 0) flip(model.parts.at(0).mesh);  // mirrored by the numbers themselves
-    checkCube(model);
+    checkGltfCube(model);
   }
   for (const Form& form : {Form{5120, 127, true}, Form{5121, 255, true}, Form{5122, 32767, true},
                            Form{5123, 65535, true}}) {
     CAPTURE(form.componentType);
-    checkCube(
+    checkGltfCube(
         readGltfFile("a.glb", test::binaryGltf(jsonOf(form, "", kQuantized, 1), dataOf(form))));
   }
   // The smallest number is no less than -1.
@@ -93,7 +89,7 @@ TEST_CASE("quantized positions of every kind are read") {
   Model model =
       readGltfFile("a.glb", test::binaryGltf(jsonOf(least, "", kQuantized, 1), dataOf(least)));
   flip(model.parts.at(0).mesh);
-  checkCube(model);
+  checkGltfCube(model);
 }
 
 TEST_CASE("quantized positions are read from a file beside the model and from its text") {
@@ -112,7 +108,7 @@ TEST_CASE("quantized positions are read from a file beside the model and from it
   file.resize(data.size());
   std::memcpy(file.data(), data.data(), data.size());
   beside.emplace("my cube.bin", std::move(file));
-  checkCube(readGltfFile("a.gltf", json, beside));
+  checkGltfCube(readGltfFile("a.gltf", json, beside));
 
   constexpr std::string_view kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -125,7 +121,7 @@ TEST_CASE("quantized positions are read from a file beside the model and from it
     for (int shift = 18; shift >= 0; shift -= 6) text += kDigits[three >> shift & 63];
   }
   text.replace(text.size() - 2, 2, "==");
-  checkCube(readGltfFile(
+  checkGltfCube(readGltfFile(
       "a.gltf", jsonOf(form, R"("uri":"data:application/octet-stream;base64,)" + text + "\",",
                        kQuantized, 1)));
 }
@@ -139,13 +135,15 @@ TEST_CASE("a .gltf is read with a byte order mark and a padded end") {
   std::memcpy(file.data(), data.data(), data.size());
   beside.emplace("cube.bin", std::move(file));
   const std::string json = jsonOf(form, R"("uri":"cube.bin",)", kQuantized, 1);
-  checkCube(readGltfFile("a.gltf", "\xef\xbb\xbf\r\n" + json + std::string("\n\0\x1a", 3), beside));
+  checkGltfCube(
+      readGltfFile("a.gltf", "\xef\xbb\xbf\r\n" + json + std::string("\n\0\x1a", 3), beside));
 }
 
 TEST_CASE("a .glb is read with bytes after its end") {
   const Form form{5123, 65535, true};
-  checkCube(readGltfFile("a.glb", test::binaryGltf(jsonOf(form, "", kQuantized, 1), dataOf(form)) +
-                                      std::string(10, 'x')));
+  checkGltfCube(readGltfFile(
+      "a.glb",
+      test::binaryGltf(jsonOf(form, "", kQuantized, 1), dataOf(form)) + std::string(10, 'x')));
 }
 
 TEST_CASE("an extension that a file requires is followed or named") {
@@ -156,10 +154,11 @@ TEST_CASE("an extension that a file requires is followed or named") {
   for (const char* other : {"EXT_meshopt_compression", "KHR_draco_mesh_compression",
                             "EXT_mesh_gpu_instancing", "ACME_warp"}) {
     CHECK(test::isRefusalOf("a.glb: ", std::string("requires the glTF extension ") + other,
-                            sentence(with(fmt::format("\"{}\",{}", other, kQuantized)))));
+                            sentenceOfGltf(with(fmt::format("\"{}\",{}", other, kQuantized)))));
   }
   // What only changes looks does no harm.
-  checkCube(readGltfFile("a.glb", with(fmt::format(R"("KHR_materials_unlit",{})", kQuantized))));
+  checkGltfCube(
+      readGltfFile("a.glb", with(fmt::format(R"("KHR_materials_unlit",{})", kQuantized))));
 }
 
 TEST_CASE("damaged quantized files and torn text are refused") {
@@ -168,7 +167,7 @@ TEST_CASE("damaged quantized files and torn text are refused") {
   const auto changed = [&](const std::string& from, const std::string& to) {
     std::string other = json;
     other.replace(other.find(from), from.size(), to);
-    return sentence(test::binaryGltf(other, data));
+    return sentenceOfGltf(test::binaryGltf(other, data));
   };
   CHECK(test::tells(changed(R"("count":8)", R"("count":900)"), "beyond the end of their buffer"));
   CHECK(test::tells(changed(R"("byteStride":8)", R"("byteStride":2)"), "beyond the end"));

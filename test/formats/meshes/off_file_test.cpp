@@ -11,7 +11,7 @@ using namespace resect;
 
 namespace {
 
-void checkCube(const std::string& text) {
+void checkOffCube(const std::string& text) {
   CAPTURE(text);
   const Model model = readOffFile("a.off", text);
   REQUIRE(model.parts.size() == 1);
@@ -26,7 +26,7 @@ const std::string kBody = test::cubePoints() + test::cubeFaces("3 ", 0);
 TEST_CASE("an .off is read with any first line that says the same") {
   for (const char* head : {"OFF\n8 12 0\n", "OFF 8 12 18\n", "off\n# a cube\n\n8 12\n", "8 12 0\n",
                            "\xef\xbb\xbfOFF\r\n8 12 0\r\n", "OFF # by hand\n8 12 0\n"})
-    checkCube(head + kBody);
+    checkOffCube(head + kBody);
 }
 
 TEST_CASE("normals and colours of an .off are passed over, and so is what follows") {
@@ -36,8 +36,8 @@ TEST_CASE("normals and colours of an .off are passed over, and so is what follow
   std::string faces;
   for (const Triangle& t : test::kCubeTriangles)
     faces += fmt::format("3 {} {} {} 0.1 0.2 0.3\n", t[0], t[1], t[2]);
-  checkCube("CNOFF\n8 12 0\n" + points + faces);
-  checkCube("OFF\n8 12 0\n" + kBody + "anything at all");
+  checkOffCube("CNOFF\n8 12 0\n" + points + faces);
+  checkOffCube("OFF\n8 12 0\n" + kBody + "anything at all");
   CHECK(startsAsOff("STCNOFF\n"));
   CHECK(startsAsOff("  OFF 8 12 0\n"));
   CHECK_FALSE(startsAsOff("OFFICE"));

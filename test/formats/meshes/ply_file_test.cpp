@@ -20,13 +20,13 @@ const std::string kFaces = "element face 12\nproperty list uchar int vertex_indi
 const std::string kText = "ply\nformat ascii 1.0\ncomment a cube\n";
 const std::string kEnd = "end_header\n";
 
-std::string textCube() {
+std::string textPly() {
   return kText + kVertices + kFaces + kEnd + test::cubePoints() + test::cubeFaces("3 ", 0);
 }
 
 // `scale` of the points decides the first byte of data: that of x of point 0 is `first`.
 template <typename Index>
-std::string binaryCube(std::string header, bool bigEndian, float first = 0) {
+std::string binaryPly(std::string header, bool bigEndian, float first = 0) {
   const auto put = [&](auto value) {
     char data[sizeof(value)];
     std::memcpy(data, &value, sizeof(value));
@@ -49,32 +49,32 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text;
 }
 
-void checkCube(const std::string& bytes, double volumeOfIt = 1) {
+void checkPlyCube(const std::string& bytes, double volumeOfIt = 1) {
   const Model model = readPlyFile("a.ply", bytes);
   REQUIRE(model.parts.size() == 1);
   CHECK(topology(model.parts[0].mesh).closed());
   CHECK(volume(model.parts[0].mesh) == doctest::Approx(volumeOfIt));
 }
 
-std::string sentence(const std::string& bytes) {
+std::string sentenceOfPly(const std::string& bytes) {
   return test::sentenceOf([&] { readPlyFile("a.ply", bytes); });
 }
 
 }  // namespace
 
 TEST_CASE("a .ply is read as text and binary of both byte orders, whatever ends its lines") {
-  checkCube(textCube());
-  checkCube(replaced(textCube(), "\n", "\r\n"));
-  checkCube(replaced(textCube(), "\n", "\r"));
+  checkPlyCube(textPly());
+  checkPlyCube(replaced(textPly(), "\n", "\r\n"));
+  checkPlyCube(replaced(textPly(), "\n", "\r"));
   for (const bool big : {false, true})
     for (const char* end : {"\n", "\r\n", "\r"}) {
       CAPTURE(big);
       const std::string form = big ? "binary_big_endian" : "binary_little_endian";
       const std::string header =
           replaced(replaced(kText, "ascii", form) + kVertices + kFaces + kEnd, "\n", end);
-      checkCube(binaryCube<std::int32_t>(header, big));
-      checkCube(binaryCube<std::uint16_t>(replaced(header, "int vertex", "ushort vertex"), big));
-      checkCube(binaryCube<std::int8_t>(replaced(header, "int vertex", "int8 vertex"), big));
+      checkPlyCube(binaryPly<std::int32_t>(header, big));
+      checkPlyCube(binaryPly<std::uint16_t>(replaced(header, "int vertex", "ushort vertex"), big));
+      checkPlyCube(binaryPly<std::int8_t>(replaced(header, "int vertex", "int8 vertex"), big));
     }
 }
 
@@ -87,31 +87,31 @@ TEST_CASE("every first byte of binary data belongs to the data") {
       const std::uint32_t bits = 0xbe000000u | std::uint32_t(byte);  // -0.125 and a little less
       float first = 0;
       std::memcpy(&first, &bits, sizeof(first));
-      checkCube(binaryCube<std::int32_t>(header, false, first), 1.125);
+      checkPlyCube(binaryPly<std::int32_t>(header, false, first), 1.125);
     }
   }
 }
 
 TEST_CASE("elements of a .ply come in any order, with others between them and bytes after them") {
-  checkCube(kText + kFaces + kVertices + kEnd + test::cubeFaces("3 ", 0) + test::cubePoints());
+  checkPlyCube(kText + kFaces + kVertices + kEnd + test::cubeFaces("3 ", 0) + test::cubePoints());
   const std::string others =
       "element camera 2\nproperty float view\nproperty list uchar float lens\n";
-  checkCube(kText + others + kVertices + others + kFaces + kEnd + "7 2 0.5 nan\n8 0\n" +
-            test::cubePoints() + "7 0\n8 1 1\n" + test::cubeFaces("3 ", 0) + "edge 1 2");
+  checkPlyCube(kText + others + kVertices + others + kFaces + kEnd + "7 2 0.5 nan\n8 0\n" +
+               test::cubePoints() + "7 0\n8 1 1\n" + test::cubeFaces("3 ", 0) + "edge 1 2");
   const std::string coloured =
       kText + "element vertex 8\nproperty uchar red\nproperty double z\nproperty double y\n" +
       "property double x\nproperty list uchar int more\n";
   std::string points;
   for (const Vec3& p : test::cube().points)
     points += fmt::format("255 {} {} {} 2 9 9\n", p.z(), p.y(), p.x());
-  checkCube(coloured + replaced(kFaces, "vertex_indices", "vertex_index") + kEnd + points +
-            test::cubeFaces("3 ", 0));
+  checkPlyCube(coloured + replaced(kFaces, "vertex_indices", "vertex_index") + kEnd + points +
+               test::cubeFaces("3 ", 0));
 }
 
 TEST_CASE("a .ply is read with its words in capitals") {
   std::string capitals = kText + kVertices + kFaces + kEnd;
   for (char& c : capitals) c = char(std::toupper(static_cast<unsigned char>(c)));
-  checkCube(capitals + test::cubePoints() + test::cubeFaces("3 ", 0));
+  checkPlyCube(capitals + test::cubePoints() + test::cubeFaces("3 ", 0));
   CHECK(startsAsPly(capitals));
 }
 
@@ -127,28 +127,28 @@ TEST_CASE("strips of a .ply turn every second triangle and end at -1") {
 }
 
 TEST_CASE("a torn .ply is refused wherever it is torn, with what it holds") {
-  const std::string text = textCube();
+  const std::string text = textPly();
   for (std::size_t length = 5; length + 7 < text.size(); length += 7) {
     CAPTURE(length);
-    CHECK(test::isOneSentence(sentence(text.substr(0, length))));
+    CHECK(test::isOneSentence(sentenceOfPly(text.substr(0, length))));
   }
-  const std::string binary = binaryCube<std::int32_t>(
+  const std::string binary = binaryPly<std::int32_t>(
       replaced(kText, "ascii", "binary_little_endian") + kVertices + kFaces + kEnd, false);
   for (std::size_t length = 5; length < binary.size(); length += 7) {
     CAPTURE(length);
-    CHECK(test::isOneSentence(sentence(binary.substr(0, length))));
+    CHECK(test::isOneSentence(sentenceOfPly(binary.substr(0, length))));
   }
   const std::size_t last = text.rfind("\n3 1 3 7");
   CHECK(test::isRefusalOf("a.ply: ", "it promises 12 elements 'face' and holds 10",
-                          sentence(text.substr(0, last))));
+                          sentenceOfPly(text.substr(0, last))));
   CHECK(test::isRefusalOf("a.ply: ", "it promises 12 elements 'face' and holds 11",
-                          sentence(binary.substr(0, binary.size() - 1))));
+                          sentenceOfPly(binary.substr(0, binary.size() - 1))));
 }
 
 TEST_CASE("a damaged .ply is refused with the place of the damage") {
   const auto refuses = [&](const std::string& from, const std::string& to,
                            const std::string& what) {
-    const std::string said = sentence(replaced(textCube(), from, to));
+    const std::string said = sentenceOfPly(replaced(textPly(), from, to));
     CHECK_MESSAGE(test::isRefusalOf("a.ply:", what, said), said);
   };
   refuses("ascii", "morse", "a.ply:2: has the unknown format 'morse'");

@@ -5,6 +5,7 @@
 
 #include "base/crc32.h"
 #include "formats/meshes/cube_text.h"
+#include "formats/meshes/number_bytes.h"
 #include "formats/zip_entry.h"
 #include "geometry/measures.h"
 #include "geometry/topology.h"
@@ -12,14 +13,9 @@
 #include "support/sentence.h"
 
 using namespace resect;
+using test::numberBytes;
 
 namespace {
-
-std::string number(std::size_t value, int size) {
-  std::string bytes;
-  for (int i = 0; i < size; ++i) bytes += char(value >> (8 * i));
-  return bytes;
-}
 
 std::string deflated(const std::string& text) {
   std::string packed(compressBound(uLong(text.size())), '\0');
@@ -44,16 +40,17 @@ std::string zipOf(const std::vector<Entry>& entries, bool pack) {
   for (const Entry& e : entries) {
     const std::string data = pack ? deflated(e.content) : e.content;
     const std::string common =
-        number(20, 2) + number(0, 2) + number(pack ? 8 : 0, 2) + number(0, 4) +
-        number(crc32({e.content.data(), e.content.size()}), 4) + number(data.size(), 4) +
-        number(e.content.size(), 4) + number(e.name.size(), 2) + number(0, 2);
-    central += "PK\1\2" + number(20, 2) + common + std::string(10, '\0') + number(bytes.size(), 4) +
-               e.name;
+        numberBytes(20, 2) + numberBytes(0, 2) + numberBytes(pack ? 8 : 0, 2) + numberBytes(0, 4) +
+        numberBytes(crc32({e.content.data(), e.content.size()}), 4) + numberBytes(data.size(), 4) +
+        numberBytes(e.content.size(), 4) + numberBytes(e.name.size(), 2) + numberBytes(0, 2);
+    central += "PK\1\2" + numberBytes(20, 2) + common + std::string(10, '\0') +
+               numberBytes(bytes.size(), 4) + e.name;
     bytes += "PK\3\4" + common + e.name + data;
   }
   const std::size_t at = bytes.size();
-  return bytes + central + "PK\5\6" + number(0, 4) + number(entries.size(), 2) +
-         number(entries.size(), 2) + number(central.size(), 4) + number(at, 4) + number(0, 2);
+  return bytes + central + "PK\5\6" + numberBytes(0, 4) + numberBytes(entries.size(), 2) +
+         numberBytes(entries.size(), 2) + numberBytes(central.size(), 4) + numberBytes(at, 4) +
+         numberBytes(0, 2);
 }
 
 std::string cubeObject(int id, const std::string& name) {
@@ -94,10 +91,10 @@ std::string cubesFile(const std::string& attributes, bool pack = true) {
       pack);
 }
 
-Model read(const std::string& bytes) { return readThreeMfFile("cubes.3mf", bytes); }
+Model readThreeMf(const std::string& bytes) { return readThreeMfFile("cubes.3mf", bytes); }
 
 bool refusesFile(const std::string& bytes, const std::string& what) {
-  return test::refuses([&] { read(bytes); }, what);
+  return test::refuses([&] { readThreeMf(bytes); }, what);
 }
 
 }  // namespace
@@ -113,7 +110,7 @@ TEST_CASE("a file of 3MF gives its objects where they are built, in its unit") {
       CAPTURE(unit.attribute);
       const std::string bytes = cubesFile(unit.attribute, pack);
       CHECK(isThreeMf(bytes));
-      const Model model = read(bytes);
+      const Model model = readThreeMf(bytes);
       CHECK(model.format == "3MF");
       REQUIRE(model.parts.size() == 2);
       CHECK(model.parts[0].name == "left kidney");
@@ -132,7 +129,7 @@ TEST_CASE("what a file of 3MF requires is followed or named") {
   const std::string materials =
       "requiredextensions=\"m\" "
       "xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\"";
-  CHECK(read(cubesFile(materials)).parts.size() == 2);
+  CHECK(readThreeMf(cubesFile(materials)).parts.size() == 2);
   CHECK(refusesFile(
       cubesFile("requiredextensions=\"p\" "
                 "xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\""),

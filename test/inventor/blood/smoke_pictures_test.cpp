@@ -20,7 +20,7 @@ using namespace resect;
 
 namespace {
 
-constexpr int kWidth = 320, kHeight = 180;
+constexpr int kSmokeWidth = 320, kSmokeHeight = 180;
 
 struct Change {
   int pixels = 0;
@@ -30,8 +30,8 @@ struct Change {
 
 Change change(const RgbImage& before, const RgbImage& after) {
   Change found;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kSmokeHeight; ++y)
+    for (int x = 0; x < kSmokeWidth; ++x) {
       int off = 0;
       for (int c = 0; c < 3; ++c)
         off = std::max(off, std::abs(int(before.at(x, y)[c]) - int(after.at(x, y)[c])));
@@ -50,21 +50,21 @@ Change change(const RgbImage& before, const RgbImage& after) {
 }
 
 // A ball of 7 cm on a table, seen from above.
-struct Bench {
+struct SmokeTable {
   OperatingRoom room;
-  OffscreenView view{kWidth, kHeight};
+  OffscreenView view{kSmokeWidth, kSmokeHeight};
 
-  Bench() {
+  SmokeTable() {
     const Aabb box{{-0.15, 0, -0.15}, {0.15, 0.14, 0.15}};
     room.setTable(makeModel(boxMesh({{-0.6, -0.02, -0.6}, {0.6, 0, 0.6}})));
     room.setOrgan(sphereMesh({0, 0.07, 0}, 0.07, 24));
     room.lightUp(box);
-    room.look(RoomView::Top, box, double(kWidth) / kHeight);
+    room.look(RoomView::Top, box, double(kSmokeWidth) / kSmokeHeight);
   }
   RgbImage draw() { return view.render(room.root()); }
 };
 
-std::vector<SmokeBall> ball(float x, float density) {
+std::vector<SmokeBall> puff(float x, float density) {
   return {SmokeBall{Vec3f(x, 0.15f, 0), 0.012f, density}};
 }
 
@@ -72,25 +72,25 @@ std::vector<SmokeBall> ball(float x, float density) {
 
 TEST_CASE(
     "smoke is a grey veil where it is, denser smoke hides more, and what is gone leaves no trace") {
-  Bench bench;
+  SmokeTable bench;
   const RgbImage clear = bench.draw();
-  bench.room.setSmoke(ball(0.02f, 0.35f));
+  bench.room.setSmoke(puff(0.02f, 0.35f));
   const RgbImage smoky = bench.draw();
   const Change right = change(clear, smoky);
   REQUIRE(right.pixels > 30);
-  CHECK(right.x > kWidth / 2 + 4);
-  CHECK(std::abs(right.y - kHeight / 2) < 6);
+  CHECK(right.x > kSmokeWidth / 2 + 4);
+  CHECK(std::abs(right.y - kSmokeHeight / 2) < 6);
   CHECK(right.mean[2] / right.mean[0] > 1.1 * right.was[2] / right.was[0]);  // less red
-  bench.room.setSmoke(ball(-0.02f, 0.35f));
-  CHECK(change(clear, bench.draw()).x < kWidth / 2 - 4);
-  bench.room.setSmoke(ball(0.02f, 0.10f));
+  bench.room.setSmoke(puff(-0.02f, 0.35f));
+  CHECK(change(clear, bench.draw()).x < kSmokeWidth / 2 - 4);
+  bench.room.setSmoke(puff(0.02f, 0.10f));
   CHECK(change(clear, bench.draw()).pixels < right.pixels);
   bench.room.setSmoke({});
   CHECK(bench.draw().pixels == clear.pixels);
 }
 
 TEST_CASE("what is in front of smoke hides it") {
-  Bench bench;
+  SmokeTable bench;
   const RgbImage clear = bench.draw();
   bench.room.setSmoke({SmokeBall{Vec3f(0, 0.05f, 0), 0.012f, 0.35f}});  // inside the organ
   CHECK(change(clear, bench.draw()).pixels == 0);
@@ -103,8 +103,8 @@ TEST_CASE("an operation shows the smoke of its steps for a while, thesis mode sh
     scenario.setting = "table";
     scenario.organs[0].source.spacing = 0.02;
     Simulation simulation = makeSimulation(scenario, &readModel);
-    OperationView view(scenario, simulation, double(kWidth) / kHeight);
-    OffscreenView screen(kWidth, kHeight);
+    OperationView view(scenario, simulation, double(kSmokeWidth) / kSmokeHeight);
+    OffscreenView screen(kSmokeWidth, kSmokeHeight);
     const RgbImage clear = view.draw(screen);
     StepReport report;
     const Aabb box = simulation.organ().rest.lattice.box();
@@ -133,7 +133,7 @@ TEST_CASE("an operation shows the smoke of its steps for a while, thesis mode sh
 
 TEST_CASE(
     "a clip is grey steel at its place, a vein is bluish and a duct greenish beside an artery") {
-  Bench bench;
+  SmokeTable bench;
   const RgbImage none = bench.draw();
   BareVessels vessels;
   addClip(vessels.clips, vessels.clipNormals, Vec3(0.03, 0.142, 0), Vec3::UnitX(), Vec3::UnitZ(),
@@ -141,8 +141,8 @@ TEST_CASE(
   bench.room.setBareVessels(&vessels);
   const Change clip = change(none, bench.draw());
   REQUIRE(clip.pixels > 10);
-  CHECK(clip.x > kWidth / 2 + 6);
-  CHECK(std::abs(clip.y - kHeight / 2) < 5);
+  CHECK(clip.x > kSmokeWidth / 2 + 6);
+  CHECK(std::abs(clip.y - kSmokeHeight / 2) < 5);
   CHECK(clip.mean[0] < 1.7 * clip.mean[2]);
   std::array<Change, kVesselKinds> seen;
   for (int kind = 0; kind < kVesselKinds; ++kind) {

@@ -13,18 +13,17 @@
 #include "support/test_tools.h"
 
 using namespace resect;
+using test::kAway;
 
 namespace {
 
-const Pose kAway{Vec3(0, 1, 0), Eigen::Quaterniond::Identity()};
-
 // An operation, and what a viewer would hold of it.
-struct Followed {
+struct FollowedOperation {
   LiveOperation operation;
   SurfaceCopy held;
   LiveState state;
 
-  explicit Followed(std::unique_ptr<Simulation> simulation)
+  explicit FollowedOperation(std::unique_ptr<Simulation> simulation)
       : operation(std::move(simulation), {kAway}, 240) {}
 
   void follow() {
@@ -39,11 +38,11 @@ struct Followed {
 };
 
 // A block of 12 x 8 x 12 cells and one box-shaped tool, out of hand.
-struct Live : Followed {
+struct Live : FollowedOperation {
   Discretization cells = test::fullBlock({12, 8, 12});
   Aabb box = cells.lattice.box();
 
-  Live() : Followed(simulation(test::fullBlock({12, 8, 12}))) {}
+  Live() : FollowedOperation(simulation(test::fullBlock({12, 8, 12}))) {}
   static std::unique_ptr<Simulation> simulation(const Discretization& cells) {
     std::vector<std::unique_ptr<Tool>> tools;
     tools.push_back(test::boxTool({{-0.004, -0.004, 0}, {0.004, 0.004, 0.05}}));
@@ -182,7 +181,7 @@ TEST_CASE("breathing is switched while an operation runs, and an earlier moment 
   auto simulation = std::make_unique<Simulation>(
       test::elasticBlock({6, 4, 6}, 0.008, test::boxTool({{-0.004, 0, 0}, {0.004, 0.004, 0.05}})));
   simulation->setBreathing({0.01, 60, 1, false});
-  Followed live(std::move(simulation));
+  FollowedOperation live(std::move(simulation));
   live.frames(5);
   CHECK(live.state.canBreathe);
   CHECK(!live.state.breathes);

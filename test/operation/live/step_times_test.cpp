@@ -7,7 +7,7 @@ using namespace resect;
 namespace {
 
 // A step of two stages; that they take no time at all cannot be told from here.
-StageClock step() {
+StageClock twoStages() {
   StageClock clock;
   clock.start();
   clock.lap("moveTools");
@@ -27,13 +27,13 @@ TEST_CASE("before the first step there are no times, and the operation keeps rea
 TEST_CASE("the real-time factor is simulated over elapsed time, of the last second's steps alone") {
   LastSecond last(10);
   double now = 100;
-  last.add(step(), now);
+  last.add(twoStages(), now);
   CHECK(last.times().realTimeFactor == 1);  // of one step nothing can be said
-  for (int i = 0; i < 30; ++i) last.add(step(), now += 0.1);
+  for (int i = 0; i < 30; ++i) last.add(twoStages(), now += 0.1);
   CHECK(last.times().realTimeFactor == doctest::Approx(1));
-  for (int i = 0; i < 9; ++i) last.add(step(), now += 0.4);
+  for (int i = 0; i < 9; ++i) last.add(twoStages(), now += 0.4);
   CHECK(last.times().realTimeFactor == doctest::Approx(0.25));
-  last.add(step(), now += 0.4);
+  last.add(twoStages(), now += 0.4);
   CHECK(last.times().realTimeFactor == doctest::Approx(0.25));
 }
 
@@ -41,7 +41,7 @@ TEST_CASE("stages keep their names and order, and a step takes what its stages t
   LastSecond last(10);
   double longest = 0;
   for (int i = 0; i < 5; ++i) {
-    const StageClock clock = step();
+    const StageClock clock = twoStages();
     longest = std::max(longest, clock.stages()[0].seconds[0] + clock.stages()[1].seconds[0]);
     last.add(clock, i);
   }

@@ -8,20 +8,18 @@
 #include "support/test_tools.h"
 
 using namespace resect;
+using test::kAway, test::kUnturned;
 
 namespace {
 
-const Eigen::Quaterniond kUpright = Eigen::Quaterniond::Identity();
-const Pose kAway{Vec3(0, 1, 0), kUpright};
-
 // A simulation with one tool, its publisher, and what a viewer holds of it.
-struct Followed {
+struct FollowedSurface {
   Simulation simulation;
   SurfacePublisher publisher;
   SurfaceCopy held;
   std::size_t moved = 0, made = 0, wholes = 0;  // vertices and updates that were taken
 
-  explicit Followed(Simulation s, float seenMotion = SurfacePublisher::kSeenMotion)
+  explicit FollowedSurface(Simulation s, float seenMotion = SurfacePublisher::kSeenMotion)
       : simulation(std::move(s)), publisher(seenMotion) {
     simulation.keepLook();
   }
@@ -63,21 +61,21 @@ struct Followed {
   }
 };
 
-Followed stillBlock() {
+FollowedSurface followedStill() {
   std::vector<std::unique_ptr<Tool>> tools;
   tools.push_back(test::boxTool({{-0.004, -0.004, 0}, {0.004, 0.004, 0.05}}));
-  return Followed(Simulation(makeOrgan(test::fullBlock({12, 8, 12}), {}), std::move(tools)));
+  return FollowedSurface(Simulation(makeOrgan(test::fullBlock({12, 8, 12}), {}), std::move(tools)));
 }
 
-Followed elasticBlock(float seenMotion = SurfacePublisher::kSeenMotion) {
-  return Followed(
+FollowedSurface followedElastic(float seenMotion = SurfacePublisher::kSeenMotion) {
+  return FollowedSurface(
       test::elasticBlock({7, 4, 7}, 0.01,
                          test::boxTool({{-0.004, -0.004, 0}, {0.004, 0.004, 0.05}}, "baton", "")),
       seenMotion);
 }
 
 // Presses a baton this deep into the block's top, m.
-Pose pressed(double depth) {
+Pose pressedBy(double depth) {
   return {Vec3(0.035, 0.04 - depth, 0.035),
           Eigen::Quaterniond(Eigen::AngleAxisd(-M_PI / 2, Vec3::UnitX()))};
 }
@@ -85,10 +83,10 @@ Pose pressed(double depth) {
 }  // namespace
 
 TEST_CASE("a viewer that applies the updates holds the surface, however seldom it takes them") {
-  Followed live = stillBlock();
+  FollowedSurface live = followedStill();
   const Vec3 middle = live.simulation.organ().rest.lattice.box().centre();
   for (int i = 0; i < 24; ++i) {
-    live.step({middle + Vec3(0.002 * (i - 12), 0, 0), kUpright});
+    live.step({middle + Vec3(0.002 * (i - 12), 0, 0), kUnturned});
     if (i % (1 + i % 4) == 0) live.take();
   }
   live.take();
@@ -101,7 +99,7 @@ TEST_CASE("a viewer that applies the updates holds the surface, however seldom i
 }
 
 TEST_CASE("another iso level, and a viewer that is long away, get the whole once") {
-  Followed live = stillBlock();
+  FollowedSurface live = followedStill();
   const Vec3 middle = live.simulation.organ().rest.lattice.box().centre();
   live.step(kAway, false);
   live.take();
@@ -112,7 +110,7 @@ TEST_CASE("another iso level, and a viewer that is long away, get the whole once
 
   live.made = 0;
   for (int i = 0; i < 200; ++i)
-    live.step({middle + Vec3(0.02 * std::sin(0.9 * i), 0, 0.02 * std::sin(0.37 * i)), kUpright});
+    live.step({middle + Vec3(0.02 * std::sin(0.9 * i), 0, 0.02 * std::sin(0.37 * i)), kUnturned});
   live.take();
   CHECK(live.wholes == 3);
   CHECK(live.made <= 3 * live.vertices());
@@ -120,10 +118,10 @@ TEST_CASE("another iso level, and a viewer that is long away, get the whole once
 }
 
 TEST_CASE("of tissue that moves a viewer is told what can be seen to move, without rest and cut") {
-  Followed live = elasticBlock();
+  FollowedSurface live = followedElastic();
   for (int i = 0; i < 300; ++i) live.step(kAway, false);
   for (int i = 0; i < 16; ++i) {
-    live.step(pressed(0.0005 * i));
+    live.step(pressedBy(0.0005 * i));
     if (i % 3 == 0) live.take();
     CHECK((i % 3 || live.off() < 2 * SurfacePublisher::kSeenMotion));
   }
@@ -131,21 +129,21 @@ TEST_CASE("of tissue that moves a viewer is told what can be seen to move, witho
   CHECK(live.made == live.vertices());  // in the first
   CHECK(live.sameAtRest());
 
-  for (int i = 0; i < 300; ++i) live.step(pressed(0.008));  // comes to rest, pressed
+  for (int i = 0; i < 300; ++i) live.step(pressedBy(0.008));  // comes to rest, pressed
   live.take();
   live.moved = 0;
-  for (int i = 0; i < 60; ++i) live.step(pressed(0.008)), live.take();
+  for (int i = 0; i < 60; ++i) live.step(pressedBy(0.008)), live.take();
   CHECK(live.moved < live.vertices() / 4);
   CHECK(live.off() < 2 * SurfacePublisher::kSeenMotion);
-  for (int i = 0; i < 5; ++i) live.step(pressed(0.004)), live.take();
+  for (int i = 0; i < 5; ++i) live.step(pressedBy(0.004)), live.take();
   CHECK(live.moved > live.vertices() / 4);
   CHECK(live.made == live.vertices());
 }
 
 TEST_CASE("a publisher that passes no motion over gives the surface as it is") {
-  Followed live = elasticBlock(0);
+  FollowedSurface live = followedElastic(0);
   for (int i = 0; i < 30; ++i) {
-    live.step(pressed(0.0005 * i));
+    live.step(pressedBy(0.0005 * i));
     live.take();
     CHECK(live.off() == 0);
   }
@@ -157,7 +155,7 @@ TEST_CASE("new vertices of tissue that moves come with rest place, cut, point an
   model.name = model.kind = "scalpel";
   model.response = "remove";
   model.mesh = boxMesh({{-0.004, -0.004, 0}, {0.004, 0.004, 0.05}});
-  Followed live(test::elasticBlock({7, 4, 7}, 0.01, makeTool(std::move(model))));
+  FollowedSurface live(test::elasticBlock({7, 4, 7}, 0.01, makeTool(std::move(model))));
   for (int i = 0; i < 120; ++i) live.step(kAway, false);
   live.take();
   const std::size_t whole = live.made;
@@ -166,7 +164,7 @@ TEST_CASE("new vertices of tissue that moves come with rest place, cut, point an
   };
   const std::size_t before = trianglesHeld();
   for (int i = 0; i < 40; ++i) {
-    live.step({Vec3(0.035, 0.045 - 0.001 * i, 0.035), kUpright});
+    live.step({Vec3(0.035, 0.045 - 0.001 * i, 0.035), kUnturned});
     if (i % 4 == 3) live.take();
   }
   live.take();
@@ -180,10 +178,11 @@ TEST_CASE("new vertices of tissue that moves come with rest place, cut, point an
 TEST_CASE("after a restore and steps that were not followed the viewer gets the whole surface") {
   for (const bool elastic : {false, true}) {
     CAPTURE(elastic);
-    Followed live = elastic ? elasticBlock() : stillBlock();
+    FollowedSurface live = elastic ? followedElastic() : followedStill();
     const Vec3 middle = live.simulation.organ().rest.lattice.box().centre();
     const auto pose = [&](int i) {
-      return elastic ? pressed(0.0005 * i) : Pose{middle + Vec3(0.002 * (i - 6), 0, 0), kUpright};
+      return elastic ? pressedBy(0.0005 * i)
+                     : Pose{middle + Vec3(0.002 * (i - 6), 0, 0), kUnturned};
     };
     Bytes kept;
     for (int i = 0; i < 12; ++i) {

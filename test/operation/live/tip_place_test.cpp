@@ -11,9 +11,8 @@ using namespace resect;
 namespace {
 
 constexpr double kSpacing = 0.005;
-const Eigen::Quaterniond kUpright = Eigen::Quaterniond::Identity();
 
-void step(Simulation& simulation, const Pose& pose) {
+void stepAt(Simulation& simulation, const Pose& pose) {
   FrameInput input;
   input.tools = {{pose}};
   simulation.step(input);
@@ -24,7 +23,7 @@ Simulation stillBlock() {
   tools.push_back(test::boxTool({{-0.004, -0.004, 0}, {0.004, 0.004, 0.05}}));
   Simulation simulation(makeOrgan(test::fullBlock({12, 8, 12}, kSpacing), {}), std::move(tools));
   simulation.keepLook();
-  step(simulation, {Vec3(0, 1, 0), kUpright});
+  stepAt(simulation, test::kAway);
   return simulation;
 }
 
@@ -53,14 +52,13 @@ TEST_CASE("of tissue that has moved the tip sees where it is now, not where it w
   Simulation simulation = test::elasticBlock(
       {7, 4, 7}, 0.01, test::boxTool({{-0.012, -0.012, 0}, {0.012, 0.012, 0.05}}, "baton", ""));
   simulation.keepLook();
-  const Pose upright{Vec3(0, 1, 0), kUpright};
-  for (int i = 0; i < 120; ++i) step(simulation, upright);
+  for (int i = 0; i < 120; ++i) stepAt(simulation, test::kAway);
   const Vec3 over(0.035, 0.06, 0.035);
   const double before = placeOf(presentSurface(simulation), over).below;
   CHECK(before == doctest::Approx(0.04).epsilon(0.05));
   for (int i = 0; i < 120; ++i)
-    step(simulation, {Vec3(0.035, 0.04 - 0.006 * std::min(1.0, i / 60.0), 0.035),
-                      Eigen::Quaterniond(Eigen::AngleAxisd(-M_PI / 2, Vec3::UnitX()))});
+    stepAt(simulation, {Vec3(0.035, 0.04 - 0.006 * std::min(1.0, i / 60.0), 0.035),
+                        Eigen::Quaterniond(Eigen::AngleAxisd(-M_PI / 2, Vec3::UnitX()))});
   const TipPlace now = placeOf(presentSurface(simulation), over);
   CHECK(now.below < before - 0.003);
   // Straight down, by the slow way: the highest vertex near the plumb line.

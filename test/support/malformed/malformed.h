@@ -30,6 +30,9 @@ std::vector<BadFile> malformedScenarios(const std::string& valid);
 std::vector<BadFile> mutated(std::string_view valid, const std::string& extension, int count,
                              unsigned seed);
 
+// The first line of an Inventor file in text form.
+inline const std::string kInventorHead = "#Inventor V2.1 ascii\n";
+
 // Small valid files to damage: a unit cube as Inventor binary, a triangle as glTF binary.
 std::string binaryInventorCube();
 std::string binaryGltf(const std::string& json, const std::string& data);
