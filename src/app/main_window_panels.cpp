@@ -279,6 +279,8 @@ QString MainWindow::nextStep() const {
                 ? Words::tr("at the white ring")
                 : (tools.isLeastDeep(tools.held())
                        ? Words::tr("%1 mm deep, the least for cells of this size (wheel)")
+                   : tools.isMostDeep(tools.held())
+                       ? Words::tr("%1 mm deep, the most for this instrument (wheel)")
                        : Words::tr("%1 mm deep (wheel)"))
                       .arg(std::lround(1e3 * tools.depth(tools.held())))
           : QString();

@@ -3922,6 +3922,10 @@
         <translation>%1 mm tief, das Mindeste bei Zellen dieser Größe (Mausrad)</translation>
     </message>
     <message>
+        <source>%1 mm deep, the most for this instrument (wheel)</source>
+        <translation>%1 mm tief, das Meiste für dieses Instrument (Mausrad)</translation>
+    </message>
+    <message>
         <source>%1   (touches nothing)</source>
         <translation>%1   (berührt nichts)</translation>
     </message>

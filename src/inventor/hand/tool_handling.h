@@ -78,6 +78,8 @@ class ToolHandling {
     const double least = styles_[std::size_t(tool)].leastDepth;
     return least > 0 && depth(tool) <= least;
   }
+  // Whether a guided tool cannot work deeper.
+  bool isMostDeep(int tool) const { return depth(tool) >= styles_[std::size_t(tool)].mostDepth; }
   // Pose of a tool in the world. A scale that a handle box may have set is ignored.
   Pose pose(int tool) const;
 

@@ -63,7 +63,7 @@ SoSeparator* dropsIn(SoCoordinate3* places) {
     if (action->isOfType(SoGLRenderAction::getClassTypeId())) glEnable(GL_POINT_SPRITE);
   });
   auto* style = new SoDrawStyle;
-  style->pointSize = 5;
+  style->pointSize = 4;
   auto* unpickable = new SoPickStyle;
   unpickable->style = SoPickStyle::UNPICKABLE;
   return withMaterial(RoomMaterial::Drop, {sprites, style, unpickable, places, new SoPointSet});

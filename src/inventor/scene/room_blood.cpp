@@ -24,8 +24,8 @@ void OperatingRoom::setLooseBlood(const LooseBlood* blood) {
   const int count = blood ? int(blood->drops.size()) : 0;
   if (count == 0 && drops_->point.getNum() == 0) return;
   drops_->point.setNum(count);
-  for (int i = 0; i < count; ++i)
-    drops_->point.set1Value(i, SbVec3f(blood->drops[std::size_t(i)].data()));
+  if (count > 0)
+    drops_->point.setValues(0, count, reinterpret_cast<const float(*)[3]>(blood->drops.data()));
 }
 
 void OperatingRoom::setBareVessels(const BareVessels* vessels) {

@@ -3,6 +3,14 @@
 #include <algorithm>
 
 namespace resect {
+namespace {
+
+constexpr double kExposure =
+    1.0 / 60;                     // s: a drop is seen as the streak that it makes in this time
+constexpr double kApart = 0.001;  // m: distance of a streak's points
+constexpr int kMostPoints = 100;  // of a streak
+
+}  // namespace
 
 std::shared_ptr<const LooseBlood> looseBlood(const Bleeding& blood) {
   if (blood.table().wet().empty() && blood.drops().empty()) return {};
@@ -24,7 +32,12 @@ std::shared_ptr<const LooseBlood> looseBlood(const Bleeding& blood) {
     return std::uint8_t(std::min(255 * d / float(LooseBlood::kDeepest) + 0.5f, 255.0f));
   });
   if (!loose->poolBox.empty()) loose->poolBox = loose->poolBox.padded(2 * kTableCell);
-  for (const BloodDrop& drop : blood.drops()) loose->drops.push_back(drop.place.cast<float>());
+  for (const BloodDrop& drop : blood.drops()) {
+    const Vec3 way = kExposure * drop.velocity;
+    const int points = std::min(1 + int(way.norm() / kApart), kMostPoints);
+    for (int i = 0; i < points; ++i)
+      loose->drops.push_back((drop.place - way * (double(i) / points)).cast<float>());
+  }
   return loose;
 }
 
