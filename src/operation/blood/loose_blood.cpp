@@ -5,10 +5,10 @@
 namespace resect {
 namespace {
 
-constexpr double kExposure =
-    1.0 / 60;                     // s: a drop is seen as the streak that it makes in this time
-constexpr double kApart = 0.001;  // m: distance of a streak's points
-constexpr int kMostPoints = 100;  // of a streak
+// A drop is seen as the streak that it makes in kExposure, by points so far apart.
+constexpr double kExposure = 1.0 / 60;  // s
+constexpr double kApart = 0.0004;       // m
+constexpr int kMostPoints = 150;        // of a streak
 
 }  // namespace
 
