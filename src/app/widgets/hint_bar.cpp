@@ -34,6 +34,12 @@ HintBar::HintBar(QWidget* parent)
   mend_->setToolTip(Words::tr(
       "The simulation is slower than real time. Larger cells are faster; the operation begins "
       "again, and what was done stays in File > Recorded operations"));
+  // Its room is kept while it is hidden, so that the sentence does not break anew beside it.
+  mend_->setText(Words::tr("Make it smooth: cells of %1 mm").arg(88));
+  mend_->setFixedWidth(mend_->sizeHint().width());
+  QSizePolicy kept = mend_->sizePolicy();
+  kept.setRetainSizeWhenHidden(true);
+  mend_->setSizePolicy(kept);
   mend_->hide();
   connect(mend_, &QPushButton::clicked, this, [this] {
     if (accepted && offered_ > 0) accepted(offered_);
@@ -76,7 +82,7 @@ void HintBar::keepHeight() {
   const QMargins margins = layout()->contentsMargins();
   int beside = 0;
   for (const QPushButton* button : {exercises_, mend_})
-    if (!button->isHidden()) beside += button->sizeHint().width() + layout()->spacing();
+    beside += button->sizeHint().width() + layout()->spacing();
   const int width = this->width() - margins.left() - margins.right() - beside;
   if (width <= 0) return;
   const int line = std::max(1, sentence_->fontMetrics().lineSpacing());
