@@ -36,7 +36,7 @@ void main() {
   float shine = clamp(gl_FrontMaterial.shininess / 128.0, 0.05, 1.0);
   float rough = mix(0.55, mix(0.42, 0.22, shine), metal);
   float blood = stained();
-  tint = mix(tint, vec3(0.07, 0.003, 0.003), blood);
+  tint = mix(tint, mix(vec3(0.20, 0.008, 0.006), vec3(0.07, 0.003, 0.003), metal), blood);  // cloth shows blood's red
   f0 = mix(f0, vec3(0.05), blood);
   rough = mix(rough, 0.25, blood);
   metal *= 1.0 - 0.9 * blood;

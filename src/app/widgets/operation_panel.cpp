@@ -135,9 +135,11 @@ void OperationPanel::follow(const LiveState& state, int held) {
   set(blood_, state.bleeds ? bloodText(state.bled) : QString());
   // At a moment that is shown, what oozes is not known, and so neither is the grade
   // (docs/window.md).
+  // Grades 0 to 2 end at 1, 5 and 10 ml/min: with a decimal, number and grade agree.
+  const double rate = state.bleedingRate * 60e6;
   set(bleeding_,
       state.bleeds ? (state.showing ? Words::tr("%1 ml/min from vessels") : Words::tr("%1 ml/min"))
-                         .arg(state.bleedingRate * 60e6, 0, 'f', 0)
+                         .arg(rate, 0, 'f', rate > 0 && rate < 10 ? 1 : 0)
                    : QString());
   set(grade_, state.bleeds && !state.showing ? gradeText(state.bleedingRate) : QString());
   set(air_, state.air > 0 ? millilitres(state.air) : QString());

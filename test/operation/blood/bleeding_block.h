@@ -16,13 +16,17 @@ inline Anatomy portalVeinAlongX() {
   return straightVessel(VesselKind::PortalVein, Vec3(-0.02, kCut.y(), kCut.z()),
                         Vec3(0.05, kCut.y(), kCut.z()), 0.002);
 }
-inline Simulation bleedingBlock(const Anatomy& anatomy = portalVeinAlongX()) {
+inline std::unique_ptr<Tool> thinForceps() {
+  return boxTool({{-0.001, -0.001, 0}, {0.001, 0.001, 0.06}}, "bipolar", "");
+}
+inline Simulation bleedingBlock(const Anatomy& anatomy = portalVeinAlongX(),
+                                std::unique_ptr<Tool> tool = thinForceps()) {
   Discretization cells = fullBlock({12, 6, 12});
   cells.lattice.origin = Vec3::Constant(0.0025);
   Organ organ = makeOrgan(std::move(cells), {});
   organ.map = makeVesselMap(anatomy);
   std::vector<std::unique_ptr<Tool>> tools;
-  tools.push_back(boxTool({{-0.001, -0.001, 0}, {0.001, 0.001, 0.06}}, "bipolar", ""));
+  tools.push_back(std::move(tool));
   return Simulation(std::move(organ), std::move(tools));
 }
 

@@ -38,3 +38,31 @@ TEST_CASE("an instrument becomes bloody in blood, and stays so") {
   run(inWound, false, 1);
   CHECK(reach[0] == deep);  // not in hand
 }
+
+TEST_CASE("a gauze swab soaks up blood beside its axis, where forceps stay clean") {
+  constexpr double kHalf = 0.016;  // m: of the swab's side
+  std::vector<double> reached;
+  for (const bool gauze : {false, true}) {
+    Simulation simulation = test::bleedingBlock(
+        test::portalVeinAlongX(),
+        gauze ? test::describedTool("gauze", boxMesh({{-kHalf, -kHalf, 0}, {kHalf, kHalf, 0.008}}),
+                                    [](ToolModel& m) { m.contactRadius = kHalf; })
+              : test::thinForceps());
+    test::step(simulation, {{0, -1, Incision{test::acrossX(test::kCut.x(), 0.01, 0.05)}}});
+    for (int i = 0; i < 120; ++i) test::step(simulation);
+    const Eigen::Quaterniond up(Eigen::AngleAxisd(-1.5707963267948966, Vec3::UnitX()));
+    std::vector<double> reach;
+    FrameInput input;
+    // On the block's top, 10 mm beside the cut.
+    input.tools = {{{Vec3(test::kCut.x() + 0.010, 0.031, test::kCut.z()), up}, true}};
+    for (int i = 0; i < 2; ++i) {
+      simulation.step(input);
+      followBlood(simulation, reach);
+    }
+    reached.push_back(reach[0]);
+  }
+  MESSAGE("red up to ", 1e3 * reached[0], " and ", 1e3 * reached[1], " mm");
+  CHECK(reached[0] == 0);
+  CHECK(reached[1] > 0.0015);
+  CHECK(reached[1] <= 0.012);
+}
