@@ -83,14 +83,15 @@ template <typename Holds>
 FaceLines faceLines(const CutGrid& grid, int i, int axis, const Holds& holds);
 FaceLines faceLines(const CutGrid& grid, int i, int axis);
 
-// A shallow cut parts the skin in a face, but ends above the first edge in tissue, so the face's
-// lines cannot show it. Returns where the blade's trace in the face at node i, continued straight
-// into the tissue, meets the next edge. Returns none (edge -1) if no trace crosses the skin in this
-// face, or if an edge of the face is cut in tissue already.
+// A point on a face's border.
 struct RingPoint {
-  int edge = -1;     // number of the ring edge
+  int edge = -1;     // number of the ring edge; -1: there is no point
   double share = 0;  // fraction of the edge, from its lower node
 };
+// A shallow cut parts the skin in a face, but ends above the first edge in tissue, so the face's
+// lines cannot show it. Returns where the blade's trace in the face at node i, continued straight
+// into the tissue, meets the next edge. There is no such point if no trace crosses the skin in this
+// face, or if an edge of the face is cut in tissue already.
 RingPoint belowShallowCut(const CutGrid& grid, int i, int axis);
 
 namespace wound {

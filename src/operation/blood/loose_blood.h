@@ -16,8 +16,8 @@ struct LooseBlood {
   // 255 stand for depths of 0 to kDeepest. There are kTableCells x kTableCells squares, x fastest.
   std::vector<std::uint8_t> pool;
   Aabb poolBox;  // box that encloses the puddles, world, m
-  // Positions, world, m. A drop is seen as a streak, as a camera sees it: points
-  // close together along the way that the drop has gone in the last 1/60 s.
+  // Positions, world, m. A drop is seen as a streak, as a camera sees it: points close together
+  // along the way that the drop has gone in the last 1/60 s.
   std::vector<Vec3f> drops;
 };
 
