@@ -54,9 +54,7 @@ class Exercises(ScreenTest):
         window.wait("held Scalpel", 20)
 
     def level(self, window, exercise, key):
-        self.press(window, f"Level of {exercise}")
-        time.sleep(0.5)
-        self.screen.key(key, "Return")
+        self.screen.choose(*window.places[f"Level of {exercise}"], key, "Return")
 
     def choose(self, window, name):
         """Types the learner's name."""

@@ -69,11 +69,31 @@ class Screen:
         self.do("mouseup", button)
         time.sleep(0.2)
 
+    def windows(self, name, what="--name"):
+        """Those of the windows that can be seen whose title or class has `name`, a regular expression, in it."""
+        return subprocess.run(["xdotool", "search", "--onlyvisible", what, name], env=self.environment,
+                              capture_output=True, text=True, timeout=30).stdout.split()
+
+    def choose(self, x, y, *keys):
+        """Opens the list at a place and chooses from it with keys. A list that is still open would swallow the next
+        click, so this waits until it has gone."""
+        before = len(self.windows(".", "--class"))  # a list has no title
+        self.click(x, y)
+        self.until(lambda: len(self.windows(".", "--class")) > before, "no list opened")
+        self.key(*keys)
+        self.until(lambda: len(self.windows(".", "--class")) <= before, "the list did not close")
+
+    def until(self, holds, complaint):
+        end = time.time() + 20
+        while not holds():
+            if time.time() > end:
+                raise AssertionError(complaint)
+            time.sleep(0.1)
+
     def focus(self, title):
         """Without a window manager nobody gives the focus to a dialog, or back when it closes."""
         for _ in range(50):
-            windows = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", title], env=self.environment,
-                                     capture_output=True, text=True, timeout=30).stdout.split()
+            windows = self.windows(title)
             if windows:
                 self.do("windowfocus", windows[-1])
                 time.sleep(0.3)
@@ -111,9 +131,7 @@ class Screen:
         """Rows of RGB bytes; also kept as a PNG. A dump of the whole screen has holes where windows have a visual of
         their own, so each window is dumped too and laid over it, the smallest on top."""
         rows, width, height, _, _ = self.dump("-root")
-        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "."], env=self.environment,
-                               capture_output=True, text=True, timeout=30).stdout.split()
-        windows = [self.dump("-id", window) for window in found]
+        windows = [self.dump("-id", window) for window in self.windows(".")]
         for part, w, h, left, top in sorted((w for w in windows if w), key=lambda w: -w[1] * w[2]):
             for y in range(max(0, top), min(height, top + h)):
                 first, last = max(0, left), min(width, left + w)
