@@ -22,7 +22,7 @@ ELASTIC = {
     "snip": "9036af7cdf00b08b",
     "resect-segment-elastic": "95b2ed8e8cf7a5aa",
     "liver-and-gallbladder": "e79571041d1e548c",
-    "hang": "9ca00c039e6e29e7",
+    "hang": "db4ab713dbc5a9b0",
     "drop": "2fc2542281657f87",
     "bleed": "ef143d3d733f7ddd",
     "stop-bleeding": "dc889a3d936fa4e1",

@@ -2,7 +2,7 @@
 """Puts the figures that the tests of the tissue measured into docs/validation.md and its plot.
 
 python3 make_validation.py BUILD_FOLDER/validation DOCS_FOLDER
-The tests (test_tissue) write one table per experiment: quantity, measured, reference, allowed. This replaces the table
+The tests (test_tissue, test_organ) write one table per experiment: quantity, measured, reference, allowed. This replaces the table
 between the marks in DOCS_FOLDER/validation.md and draws DOCS_FOLDER/images/validation.svg: each error as a share of
 what the test allows.
 """
@@ -14,7 +14,7 @@ from pathlib import Path
 
 BEGIN, END = "<!-- figures: begin -->", "<!-- figures: end -->"
 ORDER = ["moduli", "law", "law far out", "stiffening", "relaxation", "loss factor", "capsule pressed", "capsule stability", "patch", "slope", "momentum", "energy", "cut energy", "cantilever",
-         "nearly incompressible beam", "elastica", "frequency", "torsion", "cook", "slit", "tear energy", "tear rate", "cut force", "slicing", "cut ledger", "own weight", "hertz",
+         "nearly incompressible beam", "turned beams", "sagging liver", "laminate", "elastica", "frequency", "torsion", "cook", "slit", "tear energy", "tear rate", "cut force", "slicing", "cut ledger", "own weight", "hertz",
          "resolution", "substep", "stability"]
 
 

@@ -103,10 +103,17 @@ std::int64_t ElasticTissue::attach(const TissueAttachment& attachment) {
   return std::int64_t(cells.size());
 }
 
-// Holds the cells that lie in the region, and ties those of which a part does, as firmly as that
-// part is large: so that where the region ends does not depend on the lattice.
+// Holds the cells that lie in the region, and ties those of which a part does, so that where the
+// region ends does not depend on the lattice. A layer of held cells acts like a wall that stands a
+// third of a cell from their centres, towards the free cells (docs/validation.md, "own weight"). A
+// spring k on the cells behind this wall moves it by `share` cells when it and the tissue up to the
+// wall together are as stiff as the tissue up to the moved wall would be:
+// k + E s / (2/3) = E s / (2/3 - share).
 std::int64_t ElasticTissue::pin(const TissueAttachment& region) {
-  constexpr int kSide = 4;  // samples along a cell
+  constexpr int kSide = 4;           // samples along a cell
+  constexpr double kWall = 2.0 / 3;  // cells, from the wall of a held layer to the next centres
+  constexpr double kLeastGap = 0.1;  // cells; a spring would be too stiff for the substep
+  constexpr double kHeld = 5.0 / 6;  // nearer to a wall at 2/3 than to one at 1
   std::int64_t count = 0;
   for (std::int64_t c = 0; c < lattice_.cellCount(); ++c) {
     if (!solid(c)) continue;
@@ -117,9 +124,10 @@ std::int64_t ElasticTissue::pin(const TissueAttachment& region) {
       inside += region.holds(low + lattice_.spacing.cwiseProduct(at / kSide));
     }
     const double share = double(inside) / (kSide * kSide * kSide);
-    if (share == 1) hold(c, kHeldAll);
-    if (share > 0 && share < 1) {  // as stiff as tissue of that part
-      const double stiffness = share * material(c)->young * lattice_.spacing.x();
+    if (share >= kHeld) hold(c, kHeldAll);
+    if (share > 0 && share < kHeld) {
+      const double part = 1 / std::max(kWall - share, kLeastGap) - 1 / kWall;
+      const double stiffness = part * material(c)->young * lattice_.spacing.x();
       tie(c, stiffness, 0.5 * std::sqrt(stiffness * mass(c)));
     }
     count += share > 0;
