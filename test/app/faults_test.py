@@ -322,9 +322,7 @@ class Faults(ScreenTest):
         self.assertIn("Which one file is the organ?", window.wait("report "))
         for row, steps in enumerate((1, 2)):  # the organ, tumour
             window.drain()
-            self.screen.click(*window.places[f"role{row}"])
-            time.sleep(0.3)
-            self.screen.key(*["Down"] * steps, "Return")
+            self.screen.choose(*window.places[f"role{row}"], *["Down"] * steps, "Return")
             report = window.wait("report ")
             if row == 0:
                 window.wait("surface turns")  # the organ's

@@ -96,8 +96,7 @@ class German(unittest.TestCase):
         window.wait("maker shown")
         for picture in ("points", "line", "structure", "bleeding", "vessel", "plane"):
             self.nothing_cut(window, f"making_{picture}")
-            self.screen.click(*window.places["Ziel"])
-            self.screen.key("Down", "Return")
+            self.screen.choose(*window.places["Ziel"], "Down", "Return")
 
     def test_an_exercise_is_in_german_to_its_result(self):
         window = self.ready("touch-and-hold", "--language", "de")

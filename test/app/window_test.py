@@ -289,9 +289,7 @@ class AtTheWindow(ScreenTest):
         self.assertIn("Which label is the organ?", window.wait("report "))
         for row, steps in enumerate((1, 2, 6)):  # the organ, tumour, portal vein
             window.drain()
-            screen.click(*window.places[f"role{row}"])
-            time.sleep(0.3)
-            screen.key(*["Down"] * steps, "Return")
+            screen.choose(*window.places[f"role{row}"], *["Down"] * steps, "Return")
             report = window.wait("report ")
         window.wait("surface turns")
         screen.picture("labels_roles")
