@@ -10,9 +10,9 @@ namespace resect {
 // ElasticTissue::attach().
 struct TissueAttachment : Region {
   enum class Kind {
-    // A cell that lies wholly in the region does not move. A cell that lies partly in the region is
-    // pulled to its rest position by a spring, whose stiffness is proportional to the part of the
-    // cell in the region.
+    // A cell of which at least 5/6 lies in the region does not move. A cell of which a smaller part
+    // lies in the region is pulled to its rest position by a spring. The larger the part, the
+    // stiffer is the spring (docs/methods/tissue.md, "Contact, grips, attachments").
     Pin,
     // A cell whose centre lies in the region is pulled to its rest position by a spring.
     Ligament

@@ -60,8 +60,8 @@ double workInTheory(std::vector<Force> forces, const test::BeamSection& b, doubl
   return work;
 }
 
-// Stiffness of a beam of height x 4 cells, turned by `turn` and shifted in the lattice, over that
-// of Timoshenko's.
+// Stiffness of a beam, turned by `turn` and shifted in the lattice, over that of Timoshenko's.
+// height, shift: in cells.
 double stiffness(int height, const Eigen::Quaterniond& turn, const Vec3& shift) {
   // Wider than high: a free beam rolls over until it bends where it is weakest.
   const test::BeamSection b{height * kSpacing, 1.25 * height * kSpacing, 5000, 0.3};

@@ -113,7 +113,7 @@ std::int64_t ElasticTissue::pin(const TissueAttachment& region) {
   constexpr int kSide = 4;           // samples along a cell
   constexpr double kWall = 2.0 / 3;  // cells, from the wall of a held layer to the next centres
   constexpr double kLeastGap = 0.1;  // cells; a spring would be too stiff for the substep
-  constexpr double kHeld = 5.0 / 6;  // nearer to a wall at 2/3 than to one at 1
+  constexpr double kHeld = 5.0 / 6;  // share; above, a held cell is nearer to what is wanted
   std::int64_t count = 0;
   for (std::int64_t c = 0; c < lattice_.cellCount(); ++c) {
     if (!solid(c)) continue;
