@@ -29,6 +29,7 @@ namespace {
 constexpr int kTallWindow = 1000;  // pixels: in a lower one the laboratory's panels share one place
 constexpr int kPanelLetters = 33;  // width of the panels
 constexpr int kWideLetters = 44;   // of those of exercises, which have sentences
+constexpr double kShortestTold = 0.003;  // m: the length of a shorter stroke is not told
 
 // A panel that may be higher than its place.
 QScrollArea* scrolling(QWidget* content, int letters) {
@@ -284,6 +285,12 @@ QString MainWindow::nextStep() const {
                        : Words::tr("%1 mm deep (wheel)"))
                       .arg(std::lround(1e3 * tools.depth(tools.held())))
           : QString();
+  const SurfaceHand* hand = tools.surfaceHand();
+  const bool cuts = hand && hand->style.entersSlowly && hand->stroke >= kShortestTold;
+  const QString length =
+      cuts ? (tools.pressing() ? Words::tr(", %1 mm long") : Words::tr(", last stroke %1 mm long"))
+                 .arg(std::lround(1e3 * hand->stroke))
+           : QString();
   switch (tools.how()) {
     case ToolHandling::Hold::None:
       if (!attempt_ && hasMotions())
@@ -299,11 +306,12 @@ QString MainWindow::nextStep() const {
               .arg(name);
     case ToolHandling::Hold::Guided:
       if (tools.pressing())
-        return Words::tr("%1 at work, %2; F leaves it there.").arg(name, depth + howLongClosed);
+        return Words::tr("%1 at work, %2; F leaves it there.")
+            .arg(name, depth + length + howLongClosed);
       return Words::tr("%1: %2, %3.")
           .arg(name,
                useOf(session_->toolModels()[std::size_t(tools.held())].kind, session_->state()),
-               depth);
+               depth + length);
     case ToolHandling::Hold::HandleBox:
       return Words::tr("%1 in a handle box: drag it to move it; middle click to turn it.")
           .arg(name);

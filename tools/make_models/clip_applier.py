@@ -1,5 +1,5 @@
 """A clip applier for open surgery: two grooved jaws that face each other, a screw, long shanks with
-finger rings, and a titanium clip between the jaws. Millimetres. The two halves are one shape,
+finger rings, and a polymer clip between the jaws. Millimetres. The two halves are one shape,
 turned by half a turn about the Z axis."""
 
 import math
@@ -188,7 +188,7 @@ the origin, the handle towards +Z; the jaws move in the Y-Z plane.
         *instrument_entries(
             "Clip applier",
             "clip_applier",
-            "Clip applier with a titanium clip; closes a vessel that lies between its jaws",
+            "Clip applier with a polymer clip; closes a vessel that lies between its jaws",
             "Where the ends of the jaws meet (m).",
         ),
         *jaw_entries(PIVOT, OPENING),

@@ -93,7 +93,7 @@
     QT_TRANSLATE_NOOP("data", "Insulated forceps; coagulate what lies between their bare tips"),
     QT_TRANSLATE_NOOP("data", "Bipolar"),
     QT_TRANSLATE_NOOP("data", "Clip applier"),
-    QT_TRANSLATE_NOOP("data", "Clip applier with a titanium clip; closes a vessel that lies between its jaws"),
+    QT_TRANSLATE_NOOP("data", "Clip applier with a polymer clip; closes a vessel that lies between its jaws"),
     QT_TRANSLATE_NOOP("data", "Tissue forceps"),
     QT_TRANSLATE_NOOP("data", "Tweezers with toothed tips; hold what is between them, and pull it"),
     QT_TRANSLATE_NOOP("data", "Forceps"),

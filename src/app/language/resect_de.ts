@@ -344,8 +344,8 @@
         <translation>Clip-Applikator</translation>
     </message>
     <message>
-        <source>Clip applier with a titanium clip; closes a vessel that lies between its jaws</source>
-        <translation>Clip-Applikator mit Titanclip; verschließt ein Gefäß, das zwischen seinen Backen liegt</translation>
+        <source>Clip applier with a polymer clip; closes a vessel that lies between its jaws</source>
+        <translation>Clip-Applikator mit Kunststoffclip; verschließt ein Gefäß, das zwischen seinen Backen liegt</translation>
     </message>
     <message>
         <source>Tissue forceps</source>
@@ -2816,6 +2816,14 @@
     <message>
         <source>at the white ring</source>
         <translation>am weißen Ring</translation>
+    </message>
+    <message>
+        <source>, %1 mm long</source>
+        <translation>, %1 mm lang</translation>
+    </message>
+    <message>
+        <source>, last stroke %1 mm long</source>
+        <translation>, letzter Schnitt %1 mm lang</translation>
     </message>
     <message>
         <source>%1 mm deep (wheel)</source>

@@ -25,7 +25,9 @@ constexpr int kMargin = 10;  // pixels beside the bar
 QColor colourOf(std::int64_t tool) {
   if (tool < 0) return {150, 150, 150};
   constexpr int kHues[] = {190, 30, 280, 110, 55, 330, 225};
-  return QColor::fromHsv(kHues[std::size_t(tool) % std::size(kHues)], 110, 190);
+  const auto number = std::size_t(tool);
+  const bool dark = number / std::size(kHues) % 2 == 1;
+  return QColor::fromHsv(kHues[number % std::size(kHues)], dark ? 220 : 110, dark ? 110 : 190);
 }
 
 // One line that ends in "..." where there is no room for all of it.

@@ -15,7 +15,8 @@
 namespace resect {
 namespace {
 
-const Finish kTitanium{Vec3f(0.40f, 0.40f, 0.41f), Vec3f(0.50f, 0.50f, 0.52f), 0.35f};
+// Polymer clips: nothing else in an abdomen is of this colour.
+const Finish kClip{Vec3f(0.50f, 0.95f, 0.90f), Vec3f(0.05f, 0.05f, 0.05f), 0.35f};
 
 }  // namespace
 
@@ -40,7 +41,7 @@ void OperatingRoom::setBareVessels(const BareVessels* vessels) {
   DrawnPart part;
   part.mesh = shown.clips;
   part.normals = shown.clipNormals;
-  part.finish = kTitanium;
+  part.finish = kClip;
   part.closed = true;
   clips_->addChild(makePart(part));
 }

@@ -54,8 +54,8 @@ void addWall(SurfaceCopy& mesh, const VesselWall& wall);
 // u is as near to `like` as possible.
 std::pair<Vec3, Vec3> across(const Vec3& way, const Vec3& like);
 
-// Appends a closed clip that lies across a vessel: a bent wire of titanium whose two legs press the
-// vessel flat. along: the vessel's direction, unit. u: the legs' direction, unit. outside: outer
+// Appends a closed clip that lies across a vessel: a bent bar whose two legs press the vessel flat.
+// along: the vessel's direction, unit. u: the legs' direction, unit. outside: outer
 // radius of the vessel, m. normals: gets one normal per new point.
 void addClip(TriangleMesh& mesh, std::vector<Vec3f>& normals, const Vec3& middle, const Vec3& along,
              const Vec3& u, double outside);

@@ -113,7 +113,7 @@ void pointAt(SurfaceHand& hand, const SurfacePoint& at) {
   const double length = way.norm();
   hand.up = (hand.up + (1 - math::exp(-length / kUpWay)) * (at.normal - hand.up)).normalized();
   const double before = hand.way;  // a quick hand passes kStraight at once
-  if (hand.pressing) hand.way += length;
+  if (hand.pressing) hand.way += length, hand.stroke += length;
   const Vec3 flat = way - way.dot(hand.up) * hand.up;
   const bool starts = hand.pressing && hand.style.headsForWay && before < kStraight;
   if (starts && flat.norm() > kStill) {
@@ -130,13 +130,13 @@ void landAt(SurfaceHand& hand, const SurfacePoint& at) {
   hand.pointing = true;
   hand.at = at;
   hand.up = at.normal;
-  hand.way = 0;
+  hand.way = hand.stroke = 0;
   hand.heading = alongSurface(hand.heading, hand.up);
 }
 
 void press(SurfaceHand& hand) {
   hand.pressing = true;
-  hand.way = 0;
+  hand.way = hand.stroke = 0;
 }
 
 void lift(SurfaceHand& hand) { hand.pressing = false; }

@@ -54,6 +54,7 @@ struct SurfaceHand {
   bool pointing = false;         // `at` is set
   bool pressing = false;
   double way = 0;              // m: length of the hand's path since it began to press
+  double stroke = 0;           // m: the same, and after it was lifted that of its last stroke
   std::optional<Vec3> target;  // point at which the tip works instead of at `at`, world, m
 };
 

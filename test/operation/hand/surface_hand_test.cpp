@@ -70,6 +70,13 @@ TEST_CASE("a blade enters where the hand presses, goes down on its way, and cuts
     const Vec3 handle = pose.rotation * Vec3::UnitZ();
     const Vec3 entry = pose.position + depthOf(hand, normal) / handle.dot(normal) * handle;
     CHECK((entry - 0.05 * towards).norm() < 1e-6);
+    // The stroke is as long as the way, deeper or not, and until the next one begins.
+    goDeeper(hand, 0.002);
+    lift(hand);
+    pointAt(hand, {0.06 * towards, normal});
+    CHECK(hand.stroke == doctest::Approx(0.05));
+    press(hand);
+    CHECK(hand.stroke == 0);
   }
 }
 
