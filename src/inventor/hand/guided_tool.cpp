@@ -77,6 +77,7 @@ void ToolHandling::aim(const SbVec2s& pixel, const SbViewportRegion& viewport) {
     landAt(hand_, *at);
   else
     pointAt(hand_, *at);
+  if (pressing() && !pointed_.reached()) hand_.stroke = 0;  // it is drawn beside the organs
   seekUnder(pixel, viewport);
   notify();
 }

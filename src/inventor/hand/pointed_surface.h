@@ -44,6 +44,7 @@ class PointedSurface {
   // True if the last call of along() was the first that found a point of an organ, and this point
   // is more than 20 mm from the point before. This occurs if a path begins beside the organs.
   bool landed() const { return landed_; }
+  bool reached() const { return reached_; }  // whether the path has been on an organ
 
  private:
   Ray rayThrough(const SbVec2s& pixel, const SbViewportRegion& viewport) const;
@@ -51,7 +52,7 @@ class PointedSurface {
   OperatingRoom& room_;
   std::vector<std::pair<SurfaceCopy, TriangleBlocks>> kept_;  // copies that begin() has made
   SurfacePoint last_;                                         // last point of the path
-  bool reached_ = false;                                      // the path has been on an organ
+  bool reached_ = false;                                      // see reached()
   bool landed_ = false;
 };
 
