@@ -79,7 +79,7 @@ CLIP_BEND = 10.8
 CLIP_HALF = (0.6, 0.45)  # of its wire, in x and across
 
 STEEL = Material((0.62, 0.63, 0.65), (0.65, 0.65, 0.67), 0.4)
-TITANIUM = Material((0.74, 0.71, 0.65), (0.80, 0.78, 0.74), 0.5)
+POLYMER = Material((0.50, 0.95, 0.90), (0.05, 0.05, 0.05), 0.35)
 
 
 def section(z):
@@ -197,8 +197,8 @@ the origin, the handle towards +Z; the jaws move in the Y-Z plane.
         "JawUpper": STEEL,
         "JawLower": STEEL,
         "Screw": STEEL,
-        "JawUpperClip": TITANIUM,
-        "JawLowerClip": TITANIUM,
+        "JawUpperClip": POLYMER,
+        "JawLowerClip": POLYMER,
     }
     before = both_opened(OPENING, PIVOT, [part for part in materials if part.startswith("Jaw")])
     return {

@@ -53,8 +53,8 @@ struct SurfaceHand {
   Vec3 heading = Vec3::UnitZ();  // unit, at right angles to `up`: the edge faces this way
   bool pointing = false;         // `at` is set
   bool pressing = false;
-  double way = 0;              // m: length of the hand's path since it began to press
-  double stroke = 0;           // m: the same, and after it was lifted that of its last stroke
+  double way = 0;              // m: of its path since it began to press; goDeeper() may add
+  double stroke = 0;           // m: length of its path while it presses, or pressed last
   std::optional<Vec3> target;  // point at which the tip works instead of at `at`, world, m
 };
 
