@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/state/state_hash.h"
-#include "organ/touch_surface.h"
+#include "organ/skin/touch_surface.h"
 #include "organ/vessel_cords.h"
 #include "tissue/still_tissue.h"
 

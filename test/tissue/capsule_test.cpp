@@ -8,7 +8,7 @@
 #include "geometry/measures.h"
 #include "organ/builtin/builtin_liver.h"
 #include "organ/discretize.h"
-#include "organ/touch_surface.h"
+#include "organ/skin/touch_surface.h"
 #include "support/figures.h"
 #include "support/frequency.h"
 #include "support/moved_tissue.h"

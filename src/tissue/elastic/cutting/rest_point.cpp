@@ -11,7 +11,7 @@ namespace resect {
 namespace {
 
 constexpr double kLeastReach = 1.5;  // spacings: fewer cells would be crushed one by one
-constexpr double kClose = 0.5;       // of the way ahead
+constexpr double kNearAhead = 0.5;   // of the way ahead
 
 Aabb boxRound(const Vec3& point, double reach) { return Aabb{point, point}.padded(reach); }
 
@@ -124,7 +124,7 @@ bool RestTissue::tissueAhead(const Vec3& point, const Vec3& along, const Vec3& a
       if (!met) continue;
       const double way = (from + met->share * (to - from) - point).dot(ahead);
       if (way < least) least = way, bonded = state_.bonds[i] >> d & 1;
-      close |= (state_.bonds[i] >> d & 1) && way < kClose * ahead.squaredNorm();
+      close |= (state_.bonds[i] >> d & 1) && way < kNearAhead * ahead.squaredNorm();
     }
   });
   return bonded || close;

@@ -1,5 +1,5 @@
 // Finds the bonds that tear: docs/methods/tissue.md, "Tearing".
-#include "tissue/elastic/tearing.h"
+#include "tissue/elastic/cutting/tearing.h"
 
 #include <algorithm>
 #include <cmath>

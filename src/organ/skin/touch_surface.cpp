@@ -1,4 +1,4 @@
-#include "organ/touch_surface.h"
+#include "organ/skin/touch_surface.h"
 
 #include <algorithm>
 
