@@ -28,6 +28,7 @@
 #include "organ/discretize.h"
 #include "organ/fit_surface.h"
 #include "organ/region_placer.h"
+#include "organ/tissue_cells.h"
 #include "tissue/still_tissue.h"
 #include "tools/registry.h"
 
@@ -263,7 +264,7 @@ std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& o
   requireSound(setup);
   const std::vector<LabelMaterial> materials = materialsOf(setup, organ.rest);
   if (!setup.elastic) return std::make_unique<StillTissue>(organ.rest.lattice, organ.alive);
-  TissueCells cells{organ.rest.lattice, organ.rest.inside, {setup.material}, {}};
+  TissueCells cells = tissueCells(organ.rest, setup.material);
   std::array<std::uint8_t, 256> numbers{};  // of the materials, by label
   for (const LabelMaterial& one : materials) {
     numbers[std::size_t(one.label)] = std::uint8_t(cells.materials.size());
@@ -276,9 +277,8 @@ std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& o
   for (std::size_t i = 0; i < setup.attachments.size(); ++i) {
     TissueAttachment attachment = setup.attachments[i];
     static_cast<Region&>(attachment) = place(attachment);
-    const bool fraction = setup.attachments[i].frame == Region::Frame::Organ;
     if (tissue->attach(attachment) > 0) continue;
-    if (!fraction)
+    if (setup.attachments[i].frame != Region::Frame::Organ)
       throw error(
           "attachment {} of the tissue holds no particle; move or enlarge its region (the organ at "
           "rest fills {}), or take a scenario that fits any organ: cut, incise, press",

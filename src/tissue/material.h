@@ -101,6 +101,11 @@ struct TissueCells {
   std::vector<std::uint8_t> solid;        // per cell: 1 where there is tissue
   std::vector<TissueMaterial> materials;  // at least one
   std::vector<std::uint8_t> material;     // per cell: index into materials; empty: 0 for all
+  // Share of each cell that holds tissue, from 0 to 1. Empty: 1 where a cell is solid.
+  std::vector<float> share = {};
+  // Per cell: 1 + d if the cell is not solid, but holds tissue that belongs to its solid neighbour
+  // in direction d (tissue/stencil.h); else 0. Empty: 0 for all. Needs `share`.
+  std::vector<std::uint8_t> owner = {};
 };
 
 }  // namespace resect

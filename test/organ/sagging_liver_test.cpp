@@ -7,6 +7,7 @@
 #include "organ/discretize.h"
 #include "organ/fit_surface.h"
 #include "organ/operated_organ.h"
+#include "organ/tissue_cells.h"
 #include "support/figures.h"
 #include "support/references/relax.h"
 #include "support/tissue_blocks.h"
@@ -27,8 +28,7 @@ double sag(double spacing, const Vec3& shift, double capsule) {
   material.capsule = capsule;
   TissueSettings settings;
   settings.threads = 0;
-  auto made = std::make_unique<ElasticTissue>(
-      TissueCells{cells.lattice, cells.inside, {material}, {}}, settings);
+  auto made = std::make_unique<ElasticTissue>(tissueCells(cells, material), settings);
   ElasticTissue& tissue = *made;
   TissueAttachment held;
   held.kind = TissueAttachment::Kind::Pin;

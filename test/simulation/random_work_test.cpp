@@ -11,6 +11,7 @@
 #include "geometry/measures.h"
 #include "geometry/topology.h"
 #include "organ/discretize.h"
+#include "organ/tissue_cells.h"
 #include "simulation/random_hands.h"
 #include "simulation/simulation.h"
 #include "support/environment.h"
@@ -24,8 +25,7 @@ TEST_CASE("random work on a liver: all numbers finite, faults mended, no energy 
   const TriangleMesh mesh = test::lyingLiver().mesh;
   Discretization cells = discretize(mesh, latticeForSpacing(bounds(mesh), 0.008));
   const std::int64_t particles = cells.particleCount();
-  auto owned = std::make_unique<ElasticTissue>(
-      TissueCells{cells.lattice, cells.inside, {liverTissue()}, {}}, TissueSettings{});
+  auto owned = std::make_unique<ElasticTissue>(tissueCells(cells, liverTissue()), TissueSettings{});
   ElasticTissue& tissue = *owned;
   Simulation simulation(makeOrgan(std::move(cells), {}), test::instruments(), std::move(owned));
   test::RandomHands hands(random, int(simulation.tools().size()), bounds(mesh));

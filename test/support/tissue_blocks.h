@@ -47,6 +47,13 @@ void forEachCell(const ElasticTissue& tissue, Visit visit) {
     if (tissue.solid(c)) visit(c, tissue.lattice().cell(c));
 }
 
+// The same for all cells with tissue, boundary cells too.
+template <typename Visit>
+void forEachSolid(const ElasticTissue& tissue, Visit visit) {
+  for (std::int64_t c = 0; c < tissue.lattice().cellCount(); ++c)
+    if (tissue.state().solid[tissue.state().box.fromLattice(c)]) visit(c, tissue.lattice().cell(c));
+}
+
 // Severs all bonds between cells that `side` puts on different sides.
 template <typename Side>
 void severBetween(ElasticTissue& tissue, Side side) {

@@ -9,6 +9,7 @@
 #include "organ/builtin/builtin_liver.h"
 #include "organ/discretize.h"
 #include "organ/skin/touch_surface.h"
+#include "organ/tissue_cells.h"
 #include "support/figures.h"
 #include "support/frequency.h"
 #include "support/moved_tissue.h"
@@ -42,7 +43,7 @@ std::vector<SurfacePatch> skinOn(const TissueCells& cells, const Vec3& normal) {
 }
 
 void deform(ElasticTissue& tissue, const Mat3& f) {
-  test::forEachCell(tissue, [&](std::int64_t c, const Vec3i& at) {
+  test::forEachSolid(tissue, [&](std::int64_t c, const Vec3i& at) {
     tissue.setDisplacement(c, (f - Mat3::Identity()) * tissue.lattice().centre(at));
   });
 }
@@ -82,7 +83,7 @@ TEST_CASE("the capsule's forces are the slope of its energy") {
   tissue.setSurface(skinOn(cells, Vec3(0.2, 1, -0.3).normalized()));
   Random random(5);
   std::vector<std::int64_t> all;
-  test::forEachCell(tissue, [&](std::int64_t c, const Vec3i& at) {
+  test::forEachSolid(tissue, [&](std::int64_t c, const Vec3i& at) {
     const Vec3 shaken(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
     const Vec3 x = tissue.lattice().centre(at);
     tissue.setDisplacement(c, 0.1 * Vec3(x.x(), x.z(), -0.5 * x.z()) + 0.0004 * shaken);
@@ -117,7 +118,7 @@ TEST_CASE("the substep is stable with a capsule, on any cells") {
                          Vec3(1.3, 1.3, 0.6).asDiagonal(), 1.2 * Mat3::Identity()};
   for (const double spacing : {0.0115, 0.008, 0.0055}) {
     const Discretization part = discretize(mesh, latticeForSpacing(bounds(mesh), spacing));
-    const TissueCells cells{part.lattice, part.inside, {liverTissue()}, {}};
+    const TissueCells cells = tissueCells(part, liverTissue());
     const std::vector<SurfacePatch> skin = touchSurface(makeOrgan(part, {}));
     double share = 0;
     for (const Mat3& f : states) {
@@ -126,7 +127,7 @@ TEST_CASE("the substep is stable with a capsule, on any cells") {
       deform(tissue, f);
       std::vector<std::int64_t> all;
       std::vector<Vec3> u;
-      test::forEachCell(tissue, [&](std::int64_t c, const Vec3i&) {
+      test::forEachSolid(tissue, [&](std::int64_t c, const Vec3i&) {
         all.push_back(c);
         u.push_back(tissue.displacement(c));
         tissue.hold(c, kHeldAll);
@@ -189,7 +190,7 @@ struct Strip {
 
   explicit Strip(int notch) {
     tissue.setSurface(skinOn(cells, Vec3::UnitY()));
-    test::forEachCell(tissue, [&](std::int64_t c, const Vec3i& at) {
+    test::forEachSolid(tissue, [&](std::int64_t c, const Vec3i& at) {
       if (at.x() < 2 || at.x() > 17) tissue.hold(c, kHeldAll, speed(at));
       for (int d = 0; d < kDirections; ++d)
         if (at.z() < notch && at.x() == 9 && offsetOf(d).x() > 0 && tissue.bonds(c) >> d & 1)
@@ -243,7 +244,7 @@ TEST_CASE("the capsule tears at its strength, and earlier from an edge that was 
   // It begins at the end of the cut and runs across.
   const Vec3 end = notched.tissue.lattice().centre({9, 1, 4});
   std::int64_t first = -1;
-  test::forEachCell(notched.tissue, [&](std::int64_t c, const Vec3i&) {
+  test::forEachSolid(notched.tissue, [&](std::int64_t c, const Vec3i&) {
     if (notched.tissue.state().capsuleTorn[notched.tissue.state().box.fromLattice(c)]) first = c;
   });
   REQUIRE(first >= 0);

@@ -103,6 +103,23 @@ TEST_CASE("a ball as large as a cell feels nearly what it does on fine cells") {
   }
 }
 
+// The margin makes the edges of an instrument rounder, so that they press more tissue.
+TEST_CASE("a narrow bar feels at most a quarter more than on fine cells") {
+  for (const double width : {0.006, 0.012}) {
+    const SignedDistance bar = barOf(width);
+    Layer fine(0.0025);
+    const double expected = pressedAt(fine, bar, fine.centre, 0.004, kTurn);
+    for (const double s : {0.008, 0.005}) {
+      Layer layer(s);
+      const double force = pressedAt(layer, bar, layer.centre, 0.004, kTurn);
+      MESSAGE("bar of " << width << " m, cells of " << s << " m: " << force
+                        << " N, fine: " << expected << " N");
+      CHECK(force > 0.95 * expected);
+      CHECK(force < 1.25 * expected);
+    }
+  }
+}
+
 TEST_CASE("the force is smooth while an instrument is drawn over tissue") {
   const SignedDistance ball = ballOf(0.008), bar = barOf(0.012);
   for (const double turn : {0.0, kTurn}) {

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/state/saved_state.h"
 #include "base/state/state_hash.h"
 #include "support/references/reference_tissue.h"
 #include "support/references/relax.h"
@@ -268,4 +269,23 @@ TEST_CASE("where a pin ends between two cells, tissue is held as its part of the
   CHECK(four > 1.15 * five);
   CHECK(between == doctest::Approx(0.5 * (four + five)).epsilon(0.05));
   CHECK(sag(4.25) == doctest::Approx(0.75 * four + 0.25 * five).epsilon(0.05));
+}
+
+TEST_CASE("a state restored into tissue of other materials goes on with the same bits") {
+  const TissueCells block = solidBlock({9, 6, 6}, 0.005, material(5000, 0.3));
+  const auto withPart = [&](ElasticTissue& tissue, int from, double young) {
+    test::forEachCell(tissue, [&](std::int64_t c, const Vec3i& at) {
+      if (at.x() == 0) tissue.hold(c, kHeldAll);
+      if (at.x() >= from) tissue.setMaterial(c, material(young, 0.3));
+    });
+    for (int frame = 0; frame < 5; ++frame) tissue.advance(1.0 / 60);
+  };
+  ElasticTissue tissue(block, {}), other(block, {});
+  withPart(tissue, 5, 20000), withPart(other, 3, 60000);  // both are the tissue's material 1
+  other.beginRestore();
+  loadState(other, saveState(tissue, 1));
+  other.endRestore({});
+  for (ElasticTissue* one : {&tissue, &other})
+    for (int frame = 0; frame < 5; ++frame) one->advance(1.0 / 60);
+  CHECK_FALSE(firstDifference(saveState(tissue, 1), saveState(other, 1)).has_value());
 }

@@ -89,8 +89,8 @@ def snip():
 
 def resect_segment_elastic():
     """The hook catches the left lobe and draws it taut; the scalpel, held upright, cuts it off in four strokes along one
-    plane, each deeper; the hook lifts the piece and holds it. Under tension the cut opens, so that a stroke finds the
-    plane of the one before."""
+    plane, each deeper, the last two down to what the liver lies on; the hook lifts the piece and holds it. Under tension
+    the cut opens, so that a stroke finds the plane of the one before."""
     caught, taut, lifted = (0.076, 0.014, 0.035), (0.086, 0.017, 0.035), (0.11, 0.06, 0.045)
     x, back, front, above = 0.062, -0.035, 0.12, 0.12
     hook = Path3(handle=(0.8, 0.6, 0), edge=(0.6, -0.8, 0), speed=0.15)
@@ -101,7 +101,7 @@ def resect_segment_elastic():
     scalpel = Path3(handle=(0, 1, 0.05), edge=(0, -0.05, 1), speed=0.4)
     scalpel.wait(hook.time - 0.3)
     scalpel.to(x, 0.2, back)
-    for y in (0.03, 0.016, 0.001, 0.001):
+    for y in (0.03, 0.016, -0.006, -0.006):
         scalpel.to(x, 0.07, back).to(x, y, back).to(x, y, front, speed=0.1)
         scalpel.to(x, above, front).to(x, above, back, speed=0.6)
     scalpel.to(0.05, 0.24, 0.14, speed=0.5)

@@ -14,7 +14,7 @@ from pathlib import Path
 
 BEGIN, END = "<!-- figures: begin -->", "<!-- figures: end -->"
 ORDER = ["moduli", "law", "law far out", "stiffening", "relaxation", "loss factor", "capsule pressed", "capsule stability", "patch", "slope", "momentum", "energy", "cut energy", "cantilever",
-         "nearly incompressible beam", "turned beams", "sagging liver", "laminate", "elastica", "frequency", "torsion", "cook", "slit", "tear energy", "tear rate", "cut force", "slicing", "cut ledger", "own weight", "hertz",
+         "nearly incompressible beam", "turned beams", "sagging liver", "deep press", "laminate", "elastica", "frequency", "torsion", "cook", "slit", "tear energy", "tear rate", "cut force", "slicing", "cut ledger", "own weight", "hertz",
          "resolution", "substep", "stability"]
 
 

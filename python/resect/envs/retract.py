@@ -23,7 +23,7 @@ class Retract(OperationEnv):
         self._turn = turns.of_instrument([0, 0.75, 0.66], [0, -0.66, 0.75])
 
     def begin(self):
-        x = self.np_random.uniform(0.68, 0.80)
+        x = self.np_random.uniform(0.80, 0.90)
         alive, organ = self.organ.alive, self.organ
         i = int(round((organ.at([x, 0, 0])[0] - organ.origin[0]) / organ.spacing))
         k, j = np.nonzero(alive[:, :, i])

@@ -66,7 +66,7 @@ void setSkin(ElasticState& s, std::span<const SurfacePatch> patches) {
       if (area.norm() > 0) sum += area * area.transpose() / area.norm();
     }
     const std::int32_t i = s.box.fromLattice(cell);
-    if (!s.solid[i] || s.bonds[i] == kAllBonds) continue;
+    if (!s.solid[i]) continue;
     const Eigen::SelfAdjointEigenSolver<Mat3> eigen(sum);
     for (int a = 0; a < 3; ++a) s.skinNormal[a][i] = float(eigen.eigenvectors()(a, 2));
     s.skinArea[i] = float(eigen.eigenvalues()[2]);

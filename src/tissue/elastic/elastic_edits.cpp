@@ -15,7 +15,13 @@ void ElasticTissue::settle() {
     list->erase(std::unique(list->begin(), list->end()), list->end());
   }
   if (!bondsChanged_.empty()) {
+    severBoundaryBonds(state_, bondsChanged_);
     refreshCells(state_, bondsChanged_);
+    for (auto thin = thinBoundary(state_, bondsChanged_); !thin.empty();
+         thin = thinBoundary(state_, bondsChanged_)) {
+      for (const std::int32_t i : thin) removeOne(i);
+      refreshCells(state_, bondsChanged_);
+    }
     remakeCapsule(state_, bondsChanged_);
     fibres_ = findFibres(state_, fibres_);
     uneven_ = findUnevenBonds(state_);
@@ -38,7 +44,11 @@ void ElasticTissue::sever(std::int64_t cell, int direction) {
 
 void ElasticTissue::remove(std::int64_t cell) {
   const std::int32_t i = state_.box.fromLattice(cell);
-  if (!state_.solid[i]) return;
+  if (!isParticle(state_, i)) return;
+  for (const std::int32_t one : withBoundary(state_, i)) removeOne(one);
+}
+
+void ElasticTissue::removeOne(std::int32_t i) {
   bondsChanged_.push_back(i);
   for (int d = 0; d < kDirections; ++d)
     if (state_.bonds[i] >> d & 1) bondsChanged_.push_back(i + state_.box.step[d]);
@@ -116,7 +126,7 @@ std::int64_t ElasticTissue::pin(const TissueAttachment& region) {
   constexpr double kHeld = 5.0 / 6;  // share; above, a held cell is nearer to what is wanted
   std::int64_t count = 0;
   for (std::int64_t c = 0; c < lattice_.cellCount(); ++c) {
-    if (!solid(c)) continue;
+    if (!state_.solid[state_.box.fromLattice(c)]) continue;
     const Vec3 low = lattice_.centre(lattice_.cell(c)) - 0.5 * lattice_.spacing;
     int inside = 0;
     for (int k = 0; k < kSide * kSide * kSide; ++k) {
@@ -195,16 +205,20 @@ const TissueMaterial* ElasticTissue::material(std::int64_t cell) const {
 }
 
 void ElasticTissue::setMaterial(std::int64_t cell, const TissueMaterial& material) {
-  const std::int32_t i = state_.box.fromLattice(cell);
-  if (!state_.solid[i]) return;
+  const std::int32_t particle = state_.box.fromLattice(cell);
+  if (!isParticle(state_, particle)) return;
   checkMaterial(material);
-  state_.material[i] = materialNumber(state_, material);
+  const std::uint8_t number = materialNumber(state_, material);
+  const std::vector<std::int32_t> cells = withBoundary(state_, particle);
+  for (const std::int32_t i : cells) state_.material[i] = number;
   chooseSubstep();
   allocateBranches(state_);
-  remakeCells(state_, {&i, 1});
-  bondsChanged_.push_back(i);
-  for (int d = 0; d < kDirections; ++d)
-    if (state_.solid[i + state_.box.step[d]]) bondsChanged_.push_back(i + state_.box.step[d]);
+  remakeCells(state_, cells);
+  for (const std::int32_t i : cells) {
+    bondsChanged_.push_back(i);
+    for (int d = 0; d < kDirections; ++d)
+      if (state_.solid[i + state_.box.step[d]]) bondsChanged_.push_back(i + state_.box.step[d]);
+  }
 }
 
 std::int32_t ElasticTissue::gripped(std::int32_t tool) const {

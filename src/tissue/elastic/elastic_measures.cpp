@@ -119,18 +119,17 @@ TissueEnergy ElasticTissue::energy() {
       if (!state_.solid[i]) continue;
       const double mass = 1 / double(state_.inverseMass[i]);
       sum.kinetic += 0.5 * mass * at(state_.v, i).squaredNorm();
-      sum.gravity -= mass * settings_.gravity.dot(at(state_.u, i));
+      sum.gravity -= mass * double(state_.weight[i]) * settings_.gravity.dot(at(state_.u, i));
       if (state_.kappa[i] == 0) continue;
       const Mat3 h = gradientAt(state_, i), f = h + Mat3::Identity();
-      sum.elastic += volume * freeEnergy(state_, i, f);
+      sum.elastic += double(state_.share[i]) * volume * freeEnergy(state_, i, f);
       sum.elastic += capsuleResponse(state_, i, f).energy;
       double misfit = 0;
-      for (int d = 0; d < kDirections; ++d)
-        if (state_.bonds[i] >> d & 1)
-          misfit += weights[neighbourKind(d)] / (s * s) *
-                    (s * (h * offsetOf(d).cast<double>()) -
-                     (at(state_.u, i + state_.box.step[d]) - at(state_.u, i)))
-                        .squaredNorm();
+      for (int d = 0; d < kDirections; ++d) {
+        if (!(state_.bonds[i] >> d & 1)) continue;
+        const Vec3 apart = (at(state_.u, i + state_.box.step[d]) - at(state_.u, i)) / s;
+        misfit += weights[neighbourKind(d)] * apart.dot(apart - h * offsetOf(d).cast<double>());
+      }
       sum.elastic += state_.kappa[i] / 2 * misfit;
     }
   sum.elastic += fibreEnergy(fibres_, state_) + cordEnergy(cords_, state_);

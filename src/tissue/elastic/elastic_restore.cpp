@@ -31,8 +31,8 @@ void ElasticTissue::beginRestore() {
   settle();
   holdsMove_.reset();
   contacts_.forgetObstacles();
-  before_ = {state_.solid,  state_.material,    state_.held,
-             state_.loaded, state_.capsuleTorn, state_.bonds};
+  before_ = {state_.solid,       state_.material, state_.held,     state_.loaded,
+             state_.capsuleTorn, state_.bonds,    state_.materials};
 }
 
 // The numbers come from outside: everything used as an index is checked.
@@ -58,7 +58,8 @@ void ElasticTissue::checkRestored() const {
         continue;
       }
       fits = s.solid[i] == 1 && s.material[i] < s.materials.size() && s.box.inLattice(i) &&
-             s.held[i] <= kHeldAll && s.loaded[i] <= 1 && s.capsuleTorn[i] <= 1;
+             (!s.owner[i] || isParticle(s, ownerOf(s, i))) && s.held[i] <= kHeldAll &&
+             s.loaded[i] <= 1 && s.capsuleTorn[i] <= 1;
       for (std::uint32_t bonds = s.bonds[i]; bonds != 0 && fits; bonds &= bonds - 1) {
         const int d = std::countr_zero(bonds);
         fits = d < kDirections && s.solid[i + s.box.step[d]];
@@ -82,11 +83,19 @@ void ElasticTissue::endRestore(std::span<const std::uint8_t>) {
   checkRestored();
   for (const TissueMaterial& material : state_.materials) checkMaterial(material);
   chooseSubstep();
+  const auto sameMaterial = [&](std::int32_t i) {
+    return !state_.solid[i] || !before_.solid[i] ||
+           before_.materials[before_.material[i]] == state_.materials[state_.material[i]];
+  };
   std::vector<std::int32_t> changed, held;
   for (std::int32_t i = 0; i < state_.box.size; ++i) {
-    if (before_.solid[i] != state_.solid[i] || before_.material[i] != state_.material[i] ||
+    const bool same = sameMaterial(i);
+    if (!same || before_.solid[i] != state_.solid[i] || before_.material[i] != state_.material[i] ||
         before_.bonds[i] != state_.bonds[i] || before_.capsuleTorn[i] != state_.capsuleTorn[i])
       changed.push_back(i);
+    if (!same)  // a cell's gradient depends on what it is bonded to
+      for (int d = 0; d < kDirections; ++d)
+        if (state_.bonds[i] >> d & 1) changed.push_back(i + state_.box.step[d]);
     if (before_.held[i] != state_.held[i] || before_.loaded[i] != state_.loaded[i])
       held.push_back(i);
   }

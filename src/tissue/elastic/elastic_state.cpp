@@ -4,27 +4,46 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "tissue/elastic/boundary_cells.h"
 #include "tissue/elastic/elastic_setup.h"
 #include "tissue/elastic/kernel/elastic_kernel.h"
+#include "tissue/elastic/uneven_cells.h"
 
 namespace resect {
 namespace {
 
 constexpr double kLeastMoment = 0.15;  // smallest eigenvalue of a moment that can be inverted
+// Smallest inertia of a particle and of a boundary cell, as a share of a full cell's mass. With
+// less, substeps would have to be shorter, since the stresses of its neighbours act on it in full.
+constexpr float kLeastInertia = 1, kLeastAtBoundary = 0.5f;
 
 template <std::size_t N>
 void allocate(std::array<FloatArray, N>& arrays, std::int32_t size) {
   for (FloatArray& a : arrays) a.assign(size, 0);
 }
 
-void putMoment(ElasticState& s, std::int32_t i, const std::array<double, 4>& weights, float kappa) {
+Mat3 momentOf(const ElasticState& s, std::int32_t i, const std::array<double, 4>& weights) {
   Mat3 moment = Mat3::Zero();
-  Vec3 skew = Vec3::Zero();
   for (int d = 0; d < kDirections; ++d) {
     if (!(s.bonds[i] >> d & 1)) continue;
     const Vec3 x = offsetOf(d).cast<double>();
     moment += weights[neighbourKind(d)] * x * x.transpose();
-    skew += weights[neighbourKind(d)] * x;
+  }
+  return moment;
+}
+
+bool canBeInverted(const Mat3& moment) {
+  Eigen::SelfAdjointEigenSolver<Mat3> eigen;
+  eigen.computeDirect(moment, Eigen::EigenvaluesOnly);
+  return eigen.eigenvalues().minCoeff() >= kLeastMoment;
+}
+
+void putMoment(ElasticState& s, std::int32_t i, const std::array<double, 4>& weights) {
+  Mat3 moment = momentOf(s, i, weights);
+  Vec3 skew = Vec3::Zero();
+  for (int d = 0; d < kDirections; ++d) {
+    if (!(s.bonds[i] >> d & 1)) continue;
+    skew += weights[neighbourKind(d)] * offsetOf(d).cast<double>();
   }
   // Exactly, without rounding: kernels leave out terms that are zero.
   if (s.bonds[i] == kAllBonds) {
@@ -32,16 +51,17 @@ void putMoment(ElasticState& s, std::int32_t i, const std::array<double, 4>& wei
     skew.setZero();
   }
   Mat3 inverse = Mat3::Zero();
-  Eigen::SelfAdjointEigenSolver<Mat3> eigen;
-  eigen.computeDirect(moment, Eigen::EigenvaluesOnly);
-  const bool deforms = eigen.eigenvalues().minCoeff() >= kLeastMoment;
-  if (deforms) inverse = moment.inverse();
+  s.kappa[i] = 0;
+  if (s.solid[i] && canBeInverted(moment)) {
+    const MaterialJoint joint = jointAt(s, i);
+    inverse = joint.toOwn * moment.inverse() * joint.toOwn;
+    s.kappa[i] = float(s.penalty * joint.shear * s.spacing * s.spacing * s.spacing);
+  }
   const std::array<double, 6> packed = {inverse(0, 0), inverse(1, 1), inverse(2, 2),
                                         inverse(0, 1), inverse(0, 2), inverse(1, 2)};
   const double edge = weights[2];
   for (int k = 0; k < 6; ++k) s.inverseMoment[k][i] = float(packed[k] * edge / s.spacing);
   for (int a = 0; a < 3; ++a) s.skew[a][i] = float(skew[a] / edge);
-  s.kappa[i] = deforms ? kappa : 0;
 }
 
 // Computes ElasticState::planeWeight for each given cell, the cells before and after it in the row,
@@ -65,7 +85,7 @@ void putPlaneWeights(ElasticState& s, std::span<const std::int32_t> cells) {
 }
 
 void putBranches(ElasticState& s, std::int32_t i, const TissueMaterial& material) {
-  const double volume = s.spacing * s.spacing * s.spacing;
+  const double volume = s.spacing * s.spacing * s.spacing * double(s.share[i]);
   for (std::size_t k = 0; k < std::size_t(s.branches()); ++k) {
     const bool there = k < material.branches.size() && s.solid[i];
     s.branchVolume[k][i] =
@@ -87,11 +107,31 @@ void clearCell(ElasticState& s, std::int32_t i) {
   }
 }
 
+// Bonds cells to their solid neighbours.
+void bondAll(ElasticState& s, std::span<const std::int32_t> all) {
+  for (const std::int32_t i : all)
+    for (int d = 0; d < kDirections; ++d)
+      if (isParticle(s, i) && isParticle(s, i + s.box.step[d])) s.bonds[i] |= 1u << d;
+  for (const std::int32_t i : all)
+    for (int d = 0; d < kDirections; ++d)
+      if (const std::int32_t j = i + s.box.step[d];
+          s.owner[i] && s.solid[j] && connected(s, i, j)) {
+        s.bonds[i] |= 1u << d;
+        s.bonds[j] |= 1u << opposite(d);
+      }
+}
+
 // Whether every solid neighbour is bonded.
 bool uncut(const ElasticState& s, std::int32_t i) {
   for (int d = 0; d < kDirections; ++d)
     if (s.solid[i + s.box.step[d]] && !(s.bonds[i] >> d & 1)) return false;
   return true;
+}
+
+// Whether the inverse moment is other than a multiple of the identity.
+bool oneSided(const ElasticState& s, std::int32_t i) {
+  const auto& l = s.inverseMoment;
+  return l[0][i] != l[1][i] || l[0][i] != l[2][i] || l[3][i] != 0 || l[4][i] != 0 || l[5][i] != 0;
 }
 
 // Whether a cell lacks a gradient or has a bond to a cell of another stiffness.
@@ -146,26 +186,33 @@ ElasticState makeElasticState(const TissueCells& cells, double penalty) {
   allocate(s.skew, s.box.size);
   allocate(s.planeWeight, s.box.size);
   allocate(s.load, s.box.size);
-  for (FloatArray* a : {&s.inverseMass, &s.shearVolume, &s.lameVolume, &s.stiffening, &s.kappa})
+  for (FloatArray* a : {&s.inverseMass, &s.share, &s.weight, &s.shearVolume, &s.lameVolume,
+                        &s.stiffening, &s.kappa})
     a->assign(s.box.size, 0);
   allocateBranches(s);
   s.bonds.assign(s.box.size, 0);
-  for (auto* a : {&s.solid, &s.held, &s.loaded, &s.material, &s.capsuleTorn})
+  for (auto* a : {&s.solid, &s.held, &s.loaded, &s.material, &s.capsuleTorn, &s.owner})
     a->assign(s.box.size, 0);
 
+  const std::vector<float> shares = stressShares(cells);
   std::vector<std::int32_t> all;
   for (std::int64_t cell = 0; cell < lattice.cellCount(); ++cell) {
-    if (!cells.solid[cell]) continue;
+    if (!holdsTissue(cells, cell)) continue;
     const std::int32_t i = s.box.fromLattice(cell);
     all.push_back(i);
     s.solid[i] = 1;
-    s.material[i] = cells.material.empty() ? 0 : cells.material[cell];
+    s.share[i] = shares[std::size_t(cell)];
+    if (!cells.solid[cell]) s.owner[i] = cells.owner[cell];
   }
   for (const std::int32_t i : all)
-    for (int d = 0; d < kDirections; ++d)
-      if (s.solid[i + s.box.step[d]]) s.bonds[i] |= 1u << d;
+    if (!cells.material.empty()) s.material[i] = cells.material[s.box.toLattice(ownerOf(s, i))];
+  bondAll(s, all);
   remakeCells(s, all);
   refreshCells(s, all);
+  for (auto thin = thinBoundary(s, all); !thin.empty(); thin = thinBoundary(s, all)) {
+    for (const std::int32_t i : thin) removeCell(s, i);
+    refreshCells(s, all);
+  }
   return s;
 }
 
@@ -211,14 +258,17 @@ std::uint8_t materialNumber(ElasticState& s, const TissueMaterial& material) {
 }
 
 void remakeCells(ElasticState& s, std::span<const std::int32_t> cells) {
-  const double volume = s.spacing * s.spacing * s.spacing;
+  const double whole = s.spacing * s.spacing * s.spacing;
   for (const std::int32_t i : cells) {
     if (!s.solid[i]) {
       clearCell(s, i);
       continue;
     }
     const TissueMaterial& material = s.materials[s.material[i]];
-    s.inverseMass[i] = float(1 / (material.density * volume));
+    const float inertia = std::max(s.share[i], s.owner[i] ? kLeastAtBoundary : kLeastInertia);
+    s.inverseMass[i] = float(1 / (material.density * double(inertia) * whole));
+    s.weight[i] = s.share[i] / inertia;
+    const double volume = double(s.share[i]) * whole;
     s.shearVolume[i] = float(material.shear() * volume);
     s.lameVolume[i] =
         float((material.lame() + material.shear() + material.viscousShear() / 3) * volume);
@@ -243,10 +293,7 @@ void removeCell(ElasticState& s, std::int32_t i) {
 
 void refreshCells(ElasticState& s, std::span<const std::int32_t> cells) {
   const std::array<double, 4> weights = bondWeights();
-  const double volume = s.spacing * s.spacing * s.spacing;
-  for (const std::int32_t i : cells)
-    putMoment(s, i, weights,
-              s.solid[i] ? float(s.penalty * s.materials[s.material[i]].shear() * volume) : 0.f);
+  for (const std::int32_t i : cells) putMoment(s, i, weights);
   refreshChunks(s, cells);
 }
 
@@ -268,7 +315,8 @@ void refreshChunks(ElasticState& s, std::span<const std::int32_t> cells) {
     for (int half = 0; half < 2; ++half) {
       chunk.full[half] = true;
       for (std::int32_t i = start + half * kChunk / 2; i < start + (half + 1) * kChunk / 2; ++i) {
-        chunk.full[half] &= s.bonds[i] == kAllBonds;
+        chunk.full[half] &= s.bonds[i] == kAllBonds && !oneSided(s, i) &&
+                            (s.skinArea.empty() || !(s.skinArea[i] > 0));
         if (!s.solid[i]) continue;
         chunk.first = std::min(chunk.first, std::int8_t(i - start));
         chunk.last = std::int8_t(i - start);
@@ -319,6 +367,7 @@ ElasticView viewOf(ElasticState& s) {
   view.capsule = s.capsule.empty() ? nullptr : s.capsule.data();
   for (std::size_t a = 0; a < 3; ++a) view.skinNormal[a] = s.skinNormal[a].data();
   view.inverseMass = s.inverseMass.data();
+  view.weight = s.weight.data();
   view.shearVolume = s.shearVolume.data();
   view.lameVolume = s.lameVolume.data();
   view.kappa = s.kappa.data();

@@ -1,7 +1,7 @@
 // The state of elastic tissue between two substeps, as arrays over the cells of a box with a halo,
 // a border of empty cells.
 //
-// Memory per cell of the box: 4 * (3 * 4 + 9 + 6 + 3 * 3 + 6) + 5 = 173 bytes. If a material has n
+// Memory per cell of the box: 4 * (3 * 4 + 9 + 6 + 3 * 3 + 8) + 6 = 182 bytes. If a material has n
 // Maxwell branches, 4 * (7 + 8 n) bytes are added. With a capsule, 20 bytes are added, or 48 if
 // there are no branches. Lengths are in m, masses in kg; but offsets to neighbours are in spacings
 // (sides of a cell). V is the volume of a cell; lambda and mu are Lame's constants. The symbols
@@ -69,8 +69,12 @@ struct ElasticState {
   std::array<std::array<FloatArray, 6>, kMostBranches> relaxed;
   std::array<FloatArray, 6> viscous;
   FloatArray inverseMass;  // 1/kg; 0 where there is no tissue
-  // shearVolume: mu V, J. lameVolume: V (lambda + mu + M / 3), J, where M is the sum of the
-  // branches' moduli.
+  // share: volume that the cell's stress acts on, as a share of V (stressShares() in
+  // boundary_cells.h). weight: weight of the cell over inertia times gravity. It is 1 unless the
+  // cell is less than half full: the inertia is at least that of half a cell.
+  FloatArray share, weight;
+  // In these arrays V includes the factor `share`. shearVolume: mu V, J. lameVolume: V (lambda + mu
+  // + M / 3), J, where M is the sum of the branches' moduli.
   FloatArray shearVolume, lameVolume;
   FloatArray stiffening;                               // b of tissue/material.h
   FloatArray viscousVolume;                            // M V, J; empty if `viscous` is empty
@@ -85,9 +89,11 @@ struct ElasticState {
   FloatArray kappa;                            // alpha mu V, J; 0 for a cell without a gradient
   AlignedArray<std::uint32_t> bonds;           // bit d: bonded to the neighbour in direction d
   AlignedArray<std::uint8_t> solid, material;  // 1: solid; index in `materials`
-  AlignedArray<std::uint8_t> capsuleTorn;      // 1: torn
-  AlignedArray<std::uint8_t> held, loaded;     // bits of HeldAxis; 1: `load` may be other than 0
-  std::vector<TissueChunk> chunks;             // all chunks with solid cells, ascending by `start`
+  AlignedArray<std::uint8_t>
+      owner;  // of boundary cells (boundary_cells.h), as in TissueCells; else 0
+  AlignedArray<std::uint8_t> capsuleTorn;   // 1: torn
+  AlignedArray<std::uint8_t> held, loaded;  // bits of HeldAxis; 1: `load` may be other than 0
+  std::vector<TissueChunk> chunks;          // all chunks with solid cells, ascending by `start`
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -105,7 +111,7 @@ struct ElasticState {
   template <class Visitor>
   void visitMade(Visitor& v) {
     v.made(box, spacing, penalty, ahead, stress, bondForce, inverseMoment, skew, planeWeight);
-    v.made(inverseMass, shearVolume, lameVolume, kappa, chunks);
+    v.made(inverseMass, share, weight, shearVolume, lameVolume, kappa, owner, chunks);
     v.made(capsule, skinArea, skinNormal, stiffening, viscous, viscousVolume, branchVolume,
            branchRate);
   }

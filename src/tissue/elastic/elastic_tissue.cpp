@@ -38,6 +38,21 @@ void check(const TissueCells& cells, const TissueSettings& settings) {
           "{} cells of {} m have {} flags and {} materials; give one of each for every cell, or no "
           "material",
           count, cells.lattice.spacing.x(), cells.solid.size(), cells.material.size());
+  require((cells.share.empty() || cells.share.size() == count) &&
+              (cells.owner.empty() || (cells.owner.size() == count && !cells.share.empty())),
+          "{} cells have {} shares and {} owners; give one of each for every cell, or none", count,
+          cells.share.size(), cells.owner.size());
+  require(std::ranges::all_of(cells.share, [](float share) { return share >= 0 && share <= 1; }),
+          "the share of a cell is not from 0 to 1; give such a share");
+  for (std::size_t i = 0; i < cells.owner.size(); ++i) {
+    if (cells.owner[i] == 0) continue;
+    bool owned = cells.owner[i] <= kDirections && !cells.solid[i];
+    if (owned) {
+      const Vec3i at = cells.lattice.cell(std::int64_t(i)) + offsetOf(cells.owner[i] - 1);
+      owned = cells.lattice.contains(at) && cells.solid[std::size_t(cells.lattice.index(at))];
+    }
+    require(owned, "cell {} belongs to a cell that is not solid; give a solid neighbour", i);
+  }
   require(std::ranges::all_of(cells.material,
                               [&](std::uint8_t m) { return m < cells.materials.size(); }),
           "a cell is of a material that there is not among {}; number from 0",
@@ -331,7 +346,7 @@ std::vector<std::int64_t> ElasticTissue::cellsIn(const Aabb& box) const {
   for (const TissueChunk& chunk : state_.chunks) {
     if (!meets(chunkBounds(state_, chunk, lattice_.origin), box)) continue;
     for (std::int32_t i = chunk.start + chunk.first; i <= chunk.start + chunk.last; ++i) {
-      if (!state_.solid[i]) continue;
+      if (!isParticle(state_, i)) continue;
       const std::int64_t cell = state_.box.toLattice(i);
       if (box.contains(lattice_.centre(lattice_.cell(cell)) + displacement(cell)))
         cells.push_back(cell);

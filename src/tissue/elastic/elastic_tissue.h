@@ -14,6 +14,7 @@
 
 #include "base/parallel.h"
 #include "tissue/attachment.h"
+#include "tissue/elastic/boundary_cells.h"
 #include "tissue/elastic/contact/contact.h"
 #include "tissue/elastic/contact/cut_faces.h"
 #include "tissue/elastic/cutting/cut_front.h"
@@ -21,7 +22,7 @@
 #include "tissue/elastic/fibres.h"
 #include "tissue/elastic/kernel/elastic_kernel.h"
 #include "tissue/elastic/springs.h"
-#include "tissue/elastic/uneven_bonds.h"
+#include "tissue/elastic/uneven_cells.h"
 #include "tissue/material.h"
 #include "tissue/tissue_model.h"
 
@@ -123,11 +124,12 @@ class ElasticTissue final : public TissueModel {
   Vec3 displacement(std::int64_t cell) const override;
   std::vector<std::int64_t> cellsIn(const Aabb& box) const override;
   Vec3 velocity(std::int64_t cell) const override;
+  // Boundary cells (boundary_cells.h) are not told: for them solid() is false and bonds() is 0.
   bool solid(std::int64_t cell) const override {
-    return state_.solid[state_.box.fromLattice(cell)];
+    return isParticle(state_, state_.box.fromLattice(cell));
   }
   std::uint32_t bonds(std::int64_t cell) const override {
-    return state_.bonds[state_.box.fromLattice(cell)];
+    return particleBonds(state_, state_.box.fromLattice(cell));
   }
   double mass(std::int64_t cell) const override;       // kg
   Mat3 deformation(std::int64_t cell) const override;  // F; identity for a cell without F
@@ -170,10 +172,12 @@ class ElasticTissue final : public TissueModel {
   struct Before {
     AlignedArray<std::uint8_t> solid, material, held, loaded, capsuleTorn;
     AlignedArray<std::uint32_t> bonds;
+    std::vector<TissueMaterial> materials;
   };
 
   std::int64_t pin(const TissueAttachment& region);
   void tie(std::int64_t cell, double stiffness, double damping);
+  void removeOne(std::int32_t cell);
   void loosen(std::span<const std::int32_t> cells);
   void findTears(std::span<const std::int32_t> letGo, std::vector<TissueBond>& torn);
   void forChunks(const RangeBody& pass) const;

@@ -27,7 +27,7 @@ class ReferenceTissue {
     Scalar w;  // w_ij
   };
 
-  ReferenceTissue(const TissueCells& cells, double penalty) {
+  ReferenceTissue(const TissueCells& cells, double penalty) : penalty_(penalty) {
     const Lattice& lattice = cells.lattice;
     const double s = lattice.spacing.x();
     volume = Scalar(s * s * s);
@@ -43,7 +43,7 @@ class ReferenceTissue {
       mu.push_back(Scalar(m.shear()));
       lambda.push_back(Scalar(m.lame()));
       young.push_back(Scalar(m.young));
-      kappa.push_back(Scalar(penalty * m.shear()) * volume);
+      material.push_back(cells.material.empty() ? 0 : cells.material[c]);
       mass.push_back(Scalar(m.density) * volume);
       neighbours.emplace_back();
       for (int d = 0; d < kDirections; ++d) {
@@ -81,7 +81,7 @@ class ReferenceTissue {
       sum += volume * (mu[i] / 2 * (f.squaredNorm() - 3) - mu[i] * growth +
                        (lambda[i] + mu[i]) / 2 * growth * growth);
       for (const Neighbour& n : neighbours[i])
-        sum += kappa[i] / 2 * n.w * (h * n.x - (u[n.particle] - u[i])).squaredNorm();
+        sum += kappa[i] / 2 * n.w * (u[n.particle] - u[i]).dot(u[n.particle] - u[i] - h * n.x);
     }
     return sum;
   }
@@ -148,6 +148,7 @@ class ReferenceTissue {
   std::vector<std::int64_t> cellOf;  // lattice cell of each particle
   std::vector<std::vector<Neighbour>> neighbours;
   std::vector<Scalar> young, mu, lambda, kappa, mass;
+  std::vector<int> material;
   std::vector<V> u, v;
   std::vector<M> inverseMoment;
   std::vector<char> deforms;
@@ -156,6 +157,7 @@ class ReferenceTissue {
   void correct() {
     inverseMoment.assign(u.size(), M::Zero());
     deforms.assign(u.size(), 0);
+    kappa.assign(u.size(), 0);
     for (std::size_t i = 0; i < u.size(); ++i) {
       Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
       for (const Neighbour& n : neighbours[i]) {
@@ -165,9 +167,31 @@ class ReferenceTissue {
       if (Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(m).eigenvalues().minCoeff() < 0.15)
         continue;
       deforms[i] = 1;
-      inverseMoment[i] = m.inverse().template cast<Scalar>();
+      Eigen::Matrix3d others = Eigen::Matrix3d::Zero();
+      double softness = 1 / double(mu[i]);
+      for (const Neighbour& n : neighbours[i]) {
+        softness += 1 / double(mu[n.particle]);
+        const Eigen::Vector3d x = n.x.template cast<double>();
+        if (material[n.particle] != material[i]) others += double(n.w) * x * x.transpose();
+      }
+      kappa[i] = Scalar(penalty_ * double(neighbours[i].size() + 1) / softness) * volume;
+      Eigen::Matrix3d joint = Eigen::Matrix3d::Identity();
+      if (!others.isZero()) {
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(others);
+        const Eigen::Vector3d normal = eigen.eigenvectors().col(2);
+        double all = 0, seen = 0;
+        for (const Neighbour& n : neighbours[i]) {
+          const double along = normal.dot(n.x.template cast<double>());
+          all += double(n.w) * along * along;
+          seen += double(n.w) * along * along * (1 + double(young[i] / young[n.particle])) / 2;
+        }
+        joint += (std::sqrt(all / seen) - 1) * normal * normal.transpose();
+      }
+      inverseMoment[i] = (joint * m.inverse() * joint).template cast<Scalar>();
     }
   }
+
+  double penalty_;
 };
 
 }  // namespace resect::test

@@ -18,6 +18,7 @@ inline double kineticEnergy(const ElasticTissue& tissue) {
 }
 
 inline void stopMotion(ElasticTissue& tissue) {
+  tissue.stopMotion();  // of boundary cells too
   for (std::int64_t c = 0; c < tissue.lattice().cellCount(); ++c)
     if (tissue.solid(c)) tissue.setVelocity(c, Vec3::Zero());
 }

@@ -11,9 +11,10 @@ namespace resect {
 namespace {
 
 // Compliance of dents that the lattice does not resolve, in spacings over E / (1 - nu^2).
-constexpr double kFineDents = 0.5;
+constexpr double kFineDents = 0.6;
+constexpr double kMargin = 0.25;       // WayOut::margin for instruments, spacings
 constexpr double kTwiceAsStiff = 0.6;  // depth at which a point's spring is, spacings
-constexpr double kDeepest = 0.8;       // spacings; deeper the spring's force does not grow
+constexpr double kDeepest = 1;         // spacings; deeper the spring's force does not grow
 constexpr double kFarthest = 4;        // spacings: the way out of an obstacle, at most
 // WayOut::leastSlope; the walls of the tray are thin, and tissue must not stay in them.
 constexpr double kEdgeOn = 0.2, kNeverEdgeOn = -1;
@@ -22,7 +23,7 @@ constexpr double kEdgeOn = 0.2, kNeverEdgeOn = -1;
 constexpr double kAlike = 0.99, kApart = 0.94;
 constexpr double kDamping = 0.4;  // of a point, as a share of the impedance of tissue
 // Spacings: how much nearer than by its speed tissue may come in a frame.
-constexpr double kCentreReach = 0.3, kPointReach = 0.5;
+constexpr double kCentreReach = 0.3, kPointReach = 0.5 + 2 * kMargin;
 // Spacings per substep: limits the speed of cells when a tool jumps.
 constexpr double kMostPush = 0.25;
 // Blades and hooks: distance that they keep from the centres of cells, in spacings.
@@ -184,7 +185,8 @@ void TissueContacts::listPoint(const ElasticState& s, std::int32_t cell, const C
 Dent TissueContacts::dentOf(const Body& body, const Point& point, const Stance& stance,
                             double spacing, const Vec3& fromOrigin) {
   const Obstacle& o = body.obstacle;
-  const WayOut limits{kDeepest * spacing, kFarthest * spacing, o.tool < 0 ? kNeverEdgeOn : kEdgeOn};
+  WayOut limits{kDeepest * spacing, kFarthest * spacing, kNeverEdgeOn};
+  if (o.tool >= 0) limits.leastSlope = kEdgeOn, limits.margin = kMargin * spacing;
   if (!o.shape) {
     const auto [depth, outwards] = depthBelow(o, stance.turn, fromOrigin);
     return {std::min(limits.deepest, depth), outwards, 1};

@@ -17,26 +17,27 @@ constexpr double kLeastSlope = 0.5;  // of the distance along the way, for a ste
 // each other then cover the face exactly, wherever they lie.
 Dent dentIn(const SignedDistance& shape, const Vec3& place, const Vec3& inwards, double width,
             const WayOut& limits) {
-  const double larger = 0.5 * width;
-  SignedDistance::Sample sample = shape(place);
+  const double half = 0.5 * width, larger = limits.margin + half;
+  const Vec3 start = place + limits.margin * inwards;
+  SignedDistance::Sample sample = shape(start);
   if (sample.distance >= larger) return {};
   double way = 0;
   for (int k = 0; k < kSteps && std::abs(sample.distance - larger) > kClose * width; ++k) {
     const double slope = sample.outwards.dot(inwards);
     way -= (sample.distance - larger) / (slope > kLeastSlope ? slope : 1);
-    if (way > limits.farthest + larger) return {};
-    sample = shape(place + way * inwards);
+    if (way > limits.farthest + half) return {};
+    sample = shape(start + way * inwards);
   }
   const double slope = sample.outwards.dot(inwards);
-  if (way > limits.deepest + larger) {
+  if (way > limits.deepest + half) {
     if (slope < limits.leastSlope || sample.distance < larger - kClose * width) return {};
     return {limits.deepest, inwards, 1};
   }
   Dent dent;
   dent.outwards = sample.outwards;
-  dent.depth = std::min(limits.deepest, way * std::max(0.0, slope) - larger);
+  dent.depth = std::min(limits.deepest, way * std::max(0.0, slope) - half);
   if (dent.depth <= 0) return {};
-  const double within = larger - shape(place + (way - width) * inwards).distance;
+  const double within = larger - shape(start + (way - width) * inwards).distance;
   dent.share = std::clamp(within / width, 0.0, 1.0);
   return dent;
 }

@@ -6,6 +6,10 @@
 // distance from P to the nearest face of the obstacle would be a wrong depth: for a patch near the
 // edge of an instrument, the nearest face is the instrument's flank. The patch would be pushed
 // sideways, and the instrument would slip into the tissue.
+//
+// P need not be on the surface: it may lie a margin below, if the obstacle is taken larger by the
+// same margin. Nothing changes for an obstacle that is wide and flat. A narrow one becomes rounder:
+// otherwise it could pass between patches that are as wide as itself.
 #pragma once
 
 #include "collision/signed_distance.h"
@@ -31,12 +35,13 @@ struct WayOut {
   // normals are horizontal, so their ways out are horizontal, too. The plate's normal is vertical,
   // so the cosine is 0, and these patches are not in contact with the plate.
   double leastSlope;
+  double margin = 0;  // m
 };
 
-// All vectors are in the obstacle's coordinates. place: middle of the patch, m. inwards: the
-// tissue's normal, unit, into the tissue. width: width of the patch, m. If there is contact and the
-// way out is longer than `deepest`, the patch is pressed straight into the tissue: Dent::depth is
-// `deepest`, and Dent::outwards is equal to `inwards`.
+// All vectors are in the obstacle's coordinates. place: middle of the patch, on the surface, m.
+// inwards: the tissue's normal, unit, into the tissue. width: width of the patch, m. If there is
+// contact and the way out is longer than `deepest`, the patch is pressed straight into the tissue:
+// Dent::depth is `deepest`, and Dent::outwards is equal to `inwards`.
 Dent dentIn(const SignedDistance& shape, const Vec3& place, const Vec3& inwards, double width,
             const WayOut& limits);
 

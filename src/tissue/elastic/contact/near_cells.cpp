@@ -1,5 +1,6 @@
 // Which cells can come near an obstacle in a frame.
 #include "geometry/moved_box.h"
+#include "tissue/elastic/boundary_cells.h"
 #include "tissue/elastic/chunk_bounds.h"
 #include "tissue/elastic/contact/contact.h"
 
@@ -55,7 +56,7 @@ void TissueContacts::listCells(const ElasticState& s, const Vec3& origin, double
     const Vec3i row = s.box.cell(chunk.start);
     for (int k = chunk.first; k <= chunk.last; ++k) {
       const std::int32_t i = chunk.start + k;
-      if (!s.solid[i]) continue;
+      if (!isParticle(s, i)) continue;
       const Vec3 rest = origin + s.spacing * (row + Vec3i(k, 0, 0)).cast<double>();
       const Vec3 x = rest + at(s.u, i);
       const double way = at(s.v, i).norm() * duration;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tissue/elastic/boundary_cells.h"
+
 namespace resect {
 namespace {
 
@@ -24,7 +26,7 @@ void ContactPoints::setSurface(const ElasticState& s, const Lattice& lattice,
   std::ranges::stable_sort(told_, {}, &Owned::cell);
   first_.assign(std::size_t(s.box.size), kOutside);
   for (std::int32_t i = 0; i < s.box.size; ++i)
-    if (s.solid[i]) first_[std::size_t(i)] = kInside;
+    if (isParticle(s, i)) first_[std::size_t(i)] = kInside;
   for (std::size_t k = told_.size(); k-- > 0;) first_[std::size_t(told_[k].cell)] = int(k);
 }
 
@@ -91,7 +93,8 @@ PointWeights weightsAt(const ElasticState& s, std::int32_t i, const Vec3f& offse
   at.mean.setZero();
   float sum = at.weight[0];
   for (int d = 0; d < kDirections; ++d) {
-    if (!(s.bonds[i] >> d & 1)) continue;
+    // A boundary cell holds little tissue: it would give way before the tissue behind it.
+    if (!(s.bonds[i] >> d & 1) || s.owner[i + s.box.step[d]]) continue;
     const Vec3i o = offsetOf(d);
     const float weight = along[0][o.x() + 1] * along[1][o.y() + 1] * along[2][o.z() + 1];
     if (weight < kLeastWeight) continue;

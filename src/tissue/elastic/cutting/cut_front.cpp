@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/elementary.h"
+#include "tissue/elastic/boundary_cells.h"
 #include "tissue/elastic/chunk_bounds.h"
 #include "tissue/elastic/gradient.h"
 
@@ -67,7 +68,7 @@ void CutFronts::findCandidates(const RestTissue& rest, const CuttingEdge& edge) 
   for (const TissueChunk& chunk : s.chunks) {
     if (!meets(chunkBounds(s, chunk, lattice.origin), box)) continue;
     for (std::int32_t i = chunk.start + chunk.first; i <= chunk.start + chunk.last; ++i) {
-      if (!s.solid[i]) continue;
+      if (!isParticle(s, i)) continue;
       const Vec3 x = lattice.centre(s.box.cell(i)) + Vec3(s.u[0][i], s.u[1][i], s.u[2][i]);
       if (box.contains(x)) candidates_.push_back({i, x});
     }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "collision/swept_blade.h"
+#include "tissue/elastic/boundary_cells.h"
 #include "tissue/elastic/gradient.h"
 
 namespace resect {
@@ -23,7 +24,7 @@ std::int32_t RestTissue::nearestSolid(const Vec3& point) const {
   visitCellsIn(lattice_, boxRound(point, 2 * state_.spacing), [&](const Vec3i& cell) {
     const std::int32_t i = state_.box.index(cell);
     const double distance2 = (lattice_.centre(cell) - point).squaredNorm();
-    if (state_.solid[i] && distance2 < least) least = distance2, nearest = i;
+    if (isParticle(state_, i) && distance2 < least) least = distance2, nearest = i;
   });
   return nearest;
 }
@@ -38,7 +39,7 @@ void RestTissue::findCells(const Vec3& point, PointCells& found) const {
     const std::int32_t i = state_.box.index(cell);
     const Vec3 rest = lattice_.centre(cell);
     const double distance2 = (rest - point).squaredNorm() / (reach * reach);
-    if (!state_.solid[i] || distance2 >= 1) return;
+    if (!isParticle(state_, i) || distance2 >= 1) return;
     const double weight = (1 - distance2) * (1 - distance2);
     found.cells.push_back(i), found.weights.push_back(weight);
     found.mean += weight * rest;
@@ -90,7 +91,7 @@ double RestTissue::depth(const Vec3& point) const {
   double least = std::numeric_limits<double>::infinity(), depth = 0;
   visitCellsIn(lattice_, boxRound(point, 1.5 * s), [&](const Vec3i& cell) {
     const std::int32_t i = state_.box.index(cell);
-    if (!state_.solid[i]) return;
+    if (!isParticle(state_, i)) return;
     const Vec3f from = (point - lattice_.centre(cell)).cast<float>();
     surface_.visitPatches(i, [&](const ContactPoint& patch) {
       const Vec3f off = from - patch.offset;
@@ -103,7 +104,7 @@ double RestTissue::depth(const Vec3& point) const {
   if (least < s * s) return depth;
   const Vec3 at = lattice_.toCellSpace(point);
   const Vec3i cell(int(std::lround(at.x())), int(std::lround(at.y())), int(std::lround(at.z())));
-  const bool solid = lattice_.contains(cell) && state_.solid[state_.box.index(cell)];
+  const bool solid = lattice_.contains(cell) && isParticle(state_, state_.box.index(cell));
   return (solid ? kKnownDepth : -kKnownDepth) * s;
 }
 
@@ -116,9 +117,9 @@ bool RestTissue::tissueAhead(const Vec3& point, const Vec3& along, const Vec3& a
   double least = std::numeric_limits<double>::infinity();
   visitCellsIn(lattice_, strip.bounds.padded(state_.spacing), [&](const Vec3i& cell) {
     const std::int32_t i = state_.box.index(cell);
-    if (!state_.solid[i]) return;
+    if (!isParticle(state_, i)) return;
     for (int d = kFirstForward; d < kDirections; ++d) {
-      if (!state_.solid[i + state_.box.step[d]]) continue;
+      if (!isParticle(state_, i + state_.box.step[d])) continue;
       const Vec3 from = lattice_.centre(cell), to = lattice_.centre(cell + offsetOf(d));
       const auto met = crossing(strip, from, to);
       if (!met) continue;

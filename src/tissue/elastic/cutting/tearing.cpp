@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "tissue/elastic/boundary_cells.h"
 #include "tissue/elastic/elastic_tissue.h"
 #include "tissue/elastic/gradient.h"
 
@@ -105,8 +106,9 @@ void tearAcross(const ElasticState& s, Energies& energies, std::int32_t i, int d
   for (const int end : {0, 1}) {
     const std::int32_t k = end == 0 ? i : i + s.box.step[d];
     const double from = normal.dot((end - 0.5) * way);
+    const std::uint32_t bonds = particleBonds(s, k);
     for (int e = 0; e < kDirections; ++e) {
-      if (!(s.bonds[k] >> e & 1)) continue;
+      if (!(bonds >> e & 1)) continue;
       if (from * (from + normal.dot(offsetOf(e).cast<double>())) >= 0) continue;
       if (e >= kFirstForward)
         torn.push_back({s.box.toLattice(k), e});
@@ -151,10 +153,11 @@ void ElasticTissue::findTears(std::span<const std::int32_t> letGo, std::vector<T
   Energies energies(s, *kernel_);
   std::vector<Candidate> candidates;
   for (const std::int32_t i : cut_)
-    if (s.bonds[i] != 0 && energies.energy(i) >= kScreen * weakest * atCrack) {
+    if (particleBonds(s, i) != 0 && energies.energy(i) >= kScreen * weakest * atCrack) {
       candidates.push_back({i, true});
+      const std::uint32_t bonds = particleBonds(s, i);
       for (int d = 0; d < kDirections; ++d)
-        if (s.bonds[i] >> d & 1) candidates.push_back({i + s.box.step[d], true});
+        if (bonds >> d & 1) candidates.push_back({i + s.box.step[d], true});
     }
   const int reach = std::max(1, int(std::lround(kGripReach / s.spacing)));
   Vec3i low = Vec3i::Constant(1 << 20), high = Vec3i::Constant(-1);
@@ -170,7 +173,7 @@ void ElasticTissue::findTears(std::span<const std::int32_t> letGo, std::vector<T
     for (int y = low.y(); y <= high.y(); ++y)
       for (int x = low.x(); x <= high.x(); ++x)
         if (const std::int32_t i = s.box.index({x, y, z});
-            s.bonds[i] != 0 && energies.energy(i) >= weakest * elsewhere)
+            particleBonds(s, i) != 0 && energies.energy(i) >= weakest * elsewhere)
           candidates.push_back({i, false});
   if (candidates.empty()) return;
   settleCandidates(candidates);
@@ -180,15 +183,16 @@ void ElasticTissue::findTears(std::span<const std::int32_t> letGo, std::vector<T
     const double energy = energies.at(i).energy;
     if (energy < (cut ? atCrack : elsewhere) * s.materials[s.material[i]].tearEnergy) continue;
     double highest = 0, most = 0;
+    const std::uint32_t bonds = particleBonds(s, i);
     for (int d = 0; d < kDirections; ++d) {
-      if (!(s.bonds[i] >> d & 1)) continue;
+      if (!(bonds >> d & 1)) continue;
       if (const std::int32_t j = i + s.box.step[d]; has(candidates, j))
         highest = std::max(highest, energies.at(j).energy);
       most = std::max(most, drive(s, energies, i, d));
     }
     if (energy < kAlike * highest) continue;
     for (int d = 0; d < kDirections; ++d)
-      if (s.bonds[i] >> d & 1 && drive(s, energies, i, d) >= kAlike * most)
+      if (bonds >> d & 1 && drive(s, energies, i, d) >= kAlike * most)
         tearAcross(s, energies, i, d, torn);
   }
   const auto key = [](const TissueBond& b) { return std::pair(b.cell, b.direction); };

@@ -72,7 +72,7 @@ struct ElasticView {
   const float *capsule, *skinNormal[3];  // null without a capsule
   int branches;
   const float *inverseMoment[6], *skew[3], *planeWeight[3], *load[3];
-  const float *inverseMass, *shearVolume, *lameVolume, *kappa;
+  const float *inverseMass, *weight, *shearVolume, *lameVolume, *kappa;
   const std::uint32_t* bonds;
   const std::uint8_t* held;
   const TissueChunk* chunks;

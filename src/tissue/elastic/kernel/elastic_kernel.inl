@@ -51,6 +51,7 @@ template <bool Full, bool Steered, int N>
 RESECT_INLINE void move(const ElasticView& s, const SubstepConstants& c, std::int32_t i,
                         const Forces<N>& neighbours, std::int32_t* exploded) {
   const Lanes<N> inverseMass = load<N>(s.inverseMass + i);
+  const Lanes<N> weight = load<N>(s.weight + i);
   const IntLanes<N> there = inverseMass > Lanes<N>{};
   IntLanes<N> held = {};
   if constexpr (Steered)
@@ -64,7 +65,7 @@ RESECT_INLINE void move(const ElasticView& s, const SubstepConstants& c, std::in
         force += load<N>(s.stress[3 * a + b] + i) * load<N>(s.skew[b] + i);
     force += load<N>(s.bondForce[a] + i);
     if constexpr (Steered) force += load<N>(s.load[a] + i);
-    const Lanes<N> pull = force * inverseMass + all<N>(c.gravity[a]);
+    const Lanes<N> pull = force * inverseMass + weight * all<N>(c.gravity[a]);
     const Lanes<N> before = load<N>(s.v[a] + i);
     Lanes<N> v = keep * (before + dt * pull);
     v = masked(v, ~((v <= all<N>(kAtRest)) & (v >= all<N>(-kAtRest))));
