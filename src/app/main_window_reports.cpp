@@ -5,6 +5,7 @@
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
@@ -127,6 +128,9 @@ void MainWindow::reportButtons(const QWidget* in) {
 
 // Reports labels and buttons whose text does not fit.
 void MainWindow::reportCutText() {
+  // A window that is busy drawing may still have to lay its panels out.
+  for (int level = 0; level < 4; ++level)
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
   const auto cut = [](const QString& text) { say("cut text {}", text.toStdString()); };
   for (const QLabel* label : findChildren<QLabel*>()) {
     if (!label->isVisible() || label->text().isEmpty()) continue;
