@@ -330,8 +330,11 @@ void MainWindow::followPanels(const LiveState& state, qint64 now) {
   // be.
   const bool empty = session_->tools().how() == ToolHandling::Hold::None && !session_->showing();
   hint_->reserve(exercising() || afterExercise_ ? 3 : 2);
-  hint_->say(afterExercise_ ? Words::tr("The exercise is over: what is done now does not count") +
-                                  ".   " + nextStep()
+  hint_->say(loader_.busy() || operations_.busy()
+                 ? Words::tr("One moment: an operation is being prepared. The one that is shown "
+                             "ends as soon as it is ready.")
+             : afterExercise_ ? Words::tr("The exercise is over: what is done now does not count") +
+                                    ".   " + nextStep()
              : step.isEmpty() ? nextStep()
              : empty          ? step
                               : step + "   " + nextStep());

@@ -2542,6 +2542,10 @@
         <translation>Übungen (*.toml)</translation>
     </message>
     <message>
+        <source>One moment: an operation is being prepared. The one that is shown ends as soon as it is ready.</source>
+        <translation>Einen Augenblick: eine Operation wird vorbereitet. Die gezeigte endet, sobald sie bereit ist.</translation>
+    </message>
+    <message>
         <source>The exercise is over: what is done now does not count</source>
         <translation>Die Übung ist beendet: was jetzt getan wird, zählt nicht</translation>
     </message>

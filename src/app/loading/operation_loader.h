@@ -27,6 +27,7 @@ class OperationLoader {
   void load(Wish wish, std::function<void(double)> progress,
             std::function<void(OrganLoader::Result)> done);
   void cancel();
+  bool busy() const { return job_ != nullptr; }
 
  private:
   struct Job;

@@ -55,7 +55,6 @@ void HintBar::say(const QString& sentence) {
 void HintBar::reserve(int lines) {
   if (lines == fewest_) return;
   fewest_ = lines;
-  lines_ = std::max(lines_, lines);
   keepHeight();
 }
 
@@ -73,8 +72,13 @@ QPoint HintBar::buttonPlace() const {
 
 void HintBar::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  lines_ = fewest_;
+  height_ = 0;
   keepHeight();
+}
+
+int HintBar::heightOf(int lines) const {
+  const QString text = QStringList(QList<QString>(lines, "X")).join('\n');
+  return sentence_->fontMetrics().boundingRect(QRect(0, 0, 100, 1000), 0, text).height();
 }
 
 // As high as the longest sentence so far needed at this width: the picture below does not jump.
@@ -85,9 +89,8 @@ void HintBar::keepHeight() {
     beside += button->sizeHint().width() + layout()->spacing();
   const int width = this->width() - margins.left() - margins.right() - beside;
   if (width <= 0) return;
-  const int line = std::max(1, sentence_->fontMetrics().lineSpacing());
-  lines_ = std::max(lines_, (sentence_->heightForWidth(width) + line - 1) / line);
-  sentence_->setMinimumHeight(std::max(lines_ * line, exercises_->sizeHint().height()));
+  height_ = std::max({height_, sentence_->heightForWidth(width), heightOf(fewest_)});
+  sentence_->setMinimumHeight(std::max(height_, exercises_->sizeHint().height()));
 }
 
 }  // namespace resect

@@ -30,13 +30,14 @@ class HintBar : public QWidget {
 
  private:
   void keepHeight();
+  int heightOf(int lines) const;  // pixels
 
   QPushButton* exercises_;
   QLabel* sentence_;
   QPushButton* mend_;
-  // offered_: the offered side of the cells, mm; 0: nothing is offered. lines_: the present number
-  // of lines. fewest_: the least number of lines; most sentences fit into two lines.
-  int offered_ = 0, lines_ = 1, fewest_ = 2;
+  // offered_: the offered side of the cells, mm; 0: nothing is offered. height_: room for the
+  // sentence, pixels. fewest_: the least number of lines; most sentences fit into two lines.
+  int offered_ = 0, height_ = 0, fewest_ = 2;
 };
 
 }  // namespace resect
