@@ -2,13 +2,18 @@
 
 #include <algorithm>
 
+#include "base/random.h"
+
 namespace resect {
 namespace {
 
-// A drop is seen as the streak that it makes in kExposure, by points so far apart.
+// A drop of the simulation stands for a piece of a jet, which breaks up in the air: it is seen as
+// droplets along the way that it makes in kExposure, about kApart from each other, and up to kAside
+// beside the way.
 constexpr double kExposure = 1.0 / 60;  // s
-constexpr double kApart = 0.0004;       // m
-constexpr int kMostPoints = 150;        // of a streak
+constexpr double kApart = 0.002;        // m
+constexpr double kAside = 0.0015;       // m
+constexpr int kMostPoints = 60;         // of one drop
 
 }  // namespace
 
@@ -32,11 +37,15 @@ std::shared_ptr<const LooseBlood> looseBlood(const Bleeding& blood) {
     return std::uint8_t(std::min(255 * d / float(LooseBlood::kDeepest) + 0.5f, 255.0f));
   });
   if (!loose->poolBox.empty()) loose->poolBox = loose->poolBox.padded(2 * kTableCell);
+  Random random(1);  // the same frame gives the same picture
   for (const BloodDrop& drop : blood.drops()) {
     const Vec3 way = kExposure * drop.velocity;
     const int points = std::min(1 + int(way.norm() / kApart), kMostPoints);
-    for (int i = 0; i < points; ++i)
-      loose->drops.push_back((drop.place - way * (double(i) / points)).cast<float>());
+    for (int i = 0; i < points; ++i) {
+      const double back = points == 1 ? 0 : (i + random.uniform()) / points;
+      const Vec3 aside(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+      loose->drops.push_back((drop.place - back * way + kAside * aside).cast<float>());
+    }
   }
   return loose;
 }
