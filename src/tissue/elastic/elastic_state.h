@@ -70,8 +70,8 @@ struct ElasticState {
   std::array<FloatArray, 6> viscous;
   FloatArray inverseMass;  // 1/kg; 0 where there is no tissue
   // share: volume that the cell's stress acts on, as a share of V (stressShares() in
-  // boundary_cells.h). weight: weight of the cell over inertia times gravity. It is 1 unless the
-  // cell is less than half full: the inertia is at least that of half a cell.
+  // boundary_cells.h). weight: weight of the cell over inertia times gravity. It is less
+  // than 1 in cells whose share is less than their least inertia (remakeCells()).
   FloatArray share, weight;
   // In these arrays V includes the factor `share`. shearVolume: mu V, J. lameVolume: V (lambda + mu
   // + M / 3), J, where M is the sum of the branches' moduli.
@@ -89,11 +89,10 @@ struct ElasticState {
   FloatArray kappa;                            // alpha mu V, J; 0 for a cell without a gradient
   AlignedArray<std::uint32_t> bonds;           // bit d: bonded to the neighbour in direction d
   AlignedArray<std::uint8_t> solid, material;  // 1: solid; index in `materials`
-  AlignedArray<std::uint8_t>
-      owner;  // of boundary cells (boundary_cells.h), as in TissueCells; else 0
-  AlignedArray<std::uint8_t> capsuleTorn;   // 1: torn
-  AlignedArray<std::uint8_t> held, loaded;  // bits of HeldAxis; 1: `load` may be other than 0
-  std::vector<TissueChunk> chunks;          // all chunks with solid cells, ascending by `start`
+  AlignedArray<std::uint8_t> owner;            // of boundary cells, as in TissueCells; else 0
+  AlignedArray<std::uint8_t> capsuleTorn;      // 1: torn
+  AlignedArray<std::uint8_t> held, loaded;     // bits of HeldAxis; 1: `load` may be other than 0
+  std::vector<TissueChunk> chunks;             // all chunks with solid cells, ascending by `start`
 
   template <class Visitor>
   void visit(Visitor& v) {

@@ -19,8 +19,8 @@ struct MaterialJoint {
   // The gradient of such a cell is a mean over both materials. Multiplied from the right by the
   // square of this symmetric matrix, it is that of the cell's own material. I away from joints.
   Mat3 toOwn = Mat3::Identity();
-  double shear =
-      0;  // modulus for the penalty, Pa: of springs in series over the cell and its bonds
+  // Modulus for the penalty, Pa: of springs in series over the cell and its bonded neighbours.
+  double shear = 0;
 };
 MaterialJoint jointAt(const ElasticState& state, std::int32_t cell);
 
