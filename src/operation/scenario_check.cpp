@@ -84,6 +84,7 @@ void requireSound(const TissueMaterial& material) {
   within(material.stiffening, ranges::kStiffening, named("stiffening"), "");
   within(material.capsule, ranges::kCapsule, named("capsule"), " N/m");
   within(material.capsuleStrength, ranges::kCapsuleStrength, named("capsule_strength"), " N/m");
+  within(material.capsuleTension, ranges::kCapsuleTension, named("capsule_tension"), " N/m");
   within(material.cutEnergy, ranges::kCutEnergy, named("cut_energy"), " J/m^2");
   within(material.capsuleCutEnergy, ranges::kCapsuleCutEnergy, named("capsule_cut_energy"), " J/m");
   require(material.branches.size() <= kMostBranches,

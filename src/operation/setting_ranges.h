@@ -23,6 +23,7 @@ inline constexpr SettingRange kTearEnergy{0.1, 1e6};         // J/m^2; liver 164
 inline constexpr SettingRange kTearStretch{1, 100};          // 1; outdated: tear energy replaces it
 inline constexpr SettingRange kCapsule{0, 1e5};              // N/m
 inline constexpr SettingRange kCapsuleStrength{1, 1e6};      // N/m
+inline constexpr SettingRange kCapsuleTension{0, 1e4};       // N/m
 inline constexpr SettingRange kCutEnergy{0, 1e6};            // J/m^2
 inline constexpr SettingRange kCapsuleCutEnergy{0, 1e4};     // J/m
 inline constexpr SettingRange kStiffening{0, 20};            // 1

@@ -54,6 +54,7 @@ TissueMaterial liverTissue() {
   TissueMaterial liver;
   liver.stiffening = 1;
   liver.capsule = 624;
+  liver.capsuleTension = 30;
   liver.cutEnergy = 60;
   liver.capsuleCutEnergy = 0.1;
   liver.branches = {{0.65, 0.58}, {1.15, 0.026}};

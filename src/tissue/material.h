@@ -50,6 +50,9 @@ struct TissueMaterial {
   // capsule tears, N/m.
   double capsule = 0;
   double capsuleStrength = 300;
+  // Tension of the capsule of the intact organ, in all directions along the surface, N/m, 0 to 1e4.
+  // It shows where the capsule is cut: the edges of the cut draw back.
+  double capsuleTension = 0;
   // G: energy per area that a tear needs, J/m^2, above 0. If it is infinite, the material never
   // tears. For liver, Gokgol et al. 2012 measured 164 +- 6 with needles.
   double tearEnergy = 164;
@@ -66,6 +69,7 @@ struct TissueMaterial {
     v("name", name), v("young", young), v("poisson", poisson), v("density", density);
     v("tearEnergy", tearEnergy), v("stiffening", stiffening), v("branches", branches);
     v("capsule", capsule), v("capsuleStrength", capsuleStrength);
+    v("capsuleTension", capsuleTension);
     v("cutEnergy", cutEnergy), v("capsuleCutEnergy", capsuleCutEnergy);
   }
 

@@ -3,8 +3,10 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
+#include "base/state/saved_state.h"
 #include "geometry/measures.h"
 #include "organ/builtin/builtin_liver.h"
 #include "organ/discretize.h"
@@ -77,10 +79,24 @@ TEST_CASE("the capsule's energy is that of a membrane that wrinkles, however it 
       }
 }
 
-TEST_CASE("the capsule's forces are the slope of its energy") {
-  TissueCells cells = test::solidBlock({7, 5, 6}, 0.008, underCapsule(2000));
+namespace {
+
+// Severs all bonds across the plane in front of cell x of a block.
+void cutAcross(ElasticTissue& tissue, int x) {
+  test::forEachSolid(tissue, [&](std::int64_t c, const Vec3i& at) {
+    for (int d = 0; d < kDirections; ++d)
+      if (at.x() == x && offsetOf(d).x() < 0 && tissue.bonds(c) >> d & 1) tissue.sever(c, d);
+  });
+  tissue.settle();
+}
+
+void checkSlopes(bool wounded) {
+  TissueMaterial material = underCapsule(2000);
+  material.capsuleTension = 30;
+  TissueCells cells = test::solidBlock({7, 5, 6}, 0.008, material);
   ElasticTissue tissue(cells, test::weightless());
   tissue.setSurface(skinOn(cells, Vec3(0.2, 1, -0.3).normalized()));
+  if (wounded) cutAcross(tissue, 3);
   Random random(5);
   std::vector<std::int64_t> all;
   test::forEachSolid(tissue, [&](std::int64_t c, const Vec3i& at) {
@@ -107,6 +123,85 @@ TEST_CASE("the capsule's forces are the slope of its energy") {
   }
   MESSAGE("largest error " << worst / largest);
   CHECK(worst < 0.01 * largest);
+}
+
+}  // namespace
+
+TEST_CASE("the capsule's forces are the slope of its energy, round a wound too") {
+  checkSlopes(false);
+  checkSlopes(true);
+}
+
+// A bar under a capsule in tension T, cut across. Cells move along the bar only. The capsule pulls
+// each half back by the integral of T w / (E h + 4/3 E t), where w falls from 1 at the cut to 0 at
+// 60 mm, and h is the height of the bar.
+TEST_CASE("a cut through a capsule in tension gapes as far as theory says") {
+  test::Figures figures("capsule retraction");
+  constexpr double kTension = 5, kYoung = 20000, kReach = 0.06;
+  for (const double spacing : {0.008, 0.005, 0.0025}) {
+    TissueMaterial material = test::material(kYoung, 0);
+    material.capsule = 100;
+    material.capsuleTension = kTension;
+    const int half = int(0.1 / spacing);
+    const TissueCells cells = test::solidBlock({2 * half, 3, 3}, spacing, material);
+    TissueSettings settings = test::weightless();
+    settings.drag = 20;
+    ElasticTissue tissue(cells, settings);
+    tissue.setSurface(skinOn(cells, Vec3::UnitY()));
+    test::forEachSolid(tissue, [&](std::int64_t c, const Vec3i& at) {
+      const bool end = at.x() == 0 || at.x() == 2 * half - 1;
+      tissue.hold(c, end ? int(kHeldAll) : kHeldY | kHeldZ);
+    });
+    tissue.settle();
+    const auto gape = [&] {  // mean over the height
+      const Lattice& lattice = tissue.lattice();
+      double sum = 0;
+      for (int y = 0; y < 3; ++y)
+        sum += (tissue.displacement(lattice.index({half, y, 1})) -
+                tissue.displacement(lattice.index({half - 1, y, 1})))
+                   .x();
+      return sum / 3;
+    };
+    for (int i = 0; i < 10; ++i) tissue.advance(kFrame);
+    CHECK(std::abs(gape()) < 1e-9);  // the intact capsule pulls nothing
+    cutAcross(tissue, half);
+    for (int i = 0; i < 300; ++i) tissue.advance(kFrame);
+    const double expected = kTension * kReach / (kYoung * 3 * spacing + 4.0 / 3 * material.capsule);
+    CHECK(figures.add(fmt::format("gape, cells of {:g} mm", 1e3 * spacing), gape(), expected, 0.1) <
+          0.1);
+  }
+}
+
+// A lip is an end of the capsule that was made by an edit; what is removed makes lips too.
+TEST_CASE("the capsule draws back round every wound, and as before after a restore") {
+  TissueMaterial material = underCapsule(2000);
+  material.capsuleTension = 30;
+  const TissueCells cells = test::solidBlock({20, 4, 6}, 0.008, material);
+  ElasticTissue tissue(cells, test::weightless());
+  tissue.setSurface(skinOn(cells, Vec3::UnitY()));
+  const auto restore = [&](const SavedState& saved) {
+    tissue.beginRestore();
+    loadState(tissue, saved);
+    tissue.endRestore({});
+  };
+  const auto& state = tissue.state();
+  CHECK(state.lips.empty());
+  const SavedState intact = saveState(tissue, 1);
+  cutAcross(tissue, 15);
+  CHECK(state.lips.size() == 12);
+  const auto removed = cells.lattice.index({4, 3, 2});
+  tissue.remove(removed);
+  tissue.settle();
+  CHECK(state.lips.size() == 12 + 8);
+  const auto tightness = state.tightness;
+  const auto lips = state.lips;
+  const SavedState wounded = saveState(tissue, 1);
+  restore(intact);
+  CHECK(state.lips.empty());
+  CHECK(*std::ranges::max_element(state.tightness) == 0);
+  restore(wounded);
+  CHECK(state.lips == lips);
+  CHECK(state.tightness == tightness);
 }
 
 TEST_CASE("the substep is stable with a capsule, on any cells") {

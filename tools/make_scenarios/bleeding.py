@@ -226,7 +226,7 @@ def cautery():
 # A left hepatic vein of 3.1 mm that runs 12 mm under the skin of the left lobe, once the liver has sagged: its middle and
 # its direction, m; where clips close it and scissors divide it; and arteries that the groove over it opens.
 TRIBUTARY, ALONG = (0.0105, 0.0215, 0.0168), (0.89, -0.18, 0.41)
-CLIPPED, PARTED = ((0.0070, 0.0222, 0.0146), (0.0117, 0.0206, 0.0174)), (0.0085, 0.0218, 0.0155)
+CLIPPED, PARTED = ((0.0063, 0.0223, 0.0143), (0.0117, 0.0206, 0.0174)), (0.0088, 0.0217, 0.0156)
 SPURTING = ((-0.0039, 0.0275, 0.0146), (-0.0046, 0.0327, 0.0101), (-0.0043, 0.0305, 0.0107), (-0.0038, 0.0280, 0.0119),
             (0.0020, 0.0328, 0.0201), (-0.0030, 0.0220, 0.0109))
 # Ends that bleed once the vein is divided.

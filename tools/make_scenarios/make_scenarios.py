@@ -56,8 +56,7 @@ def all_scenarios():
                           ligaments(ASIDE), x=ASIDE,
                           close_up=LEFT_LOBE)
     yield "grasp", elastic("Forceps lift the left lobe", "Seize the liver near its margin, lift it, lay it down and let go",
-                           8.0, soft.grasp(), ligaments(ASIDE), x=ASIDE,
-                          close_up=LEFT_LOBE)
+                           8.0, soft.grasp(), ligaments(ASIDE), x=ASIDE, close_up=LEFT_LOBE, view="top")
     yield "incise", elastic("An incision over the dome", "Draw the scalpel over the dome, towards you; the wound bleeds",
                             8.0, soft.incise(), ORGAN_LIGAMENTS, x=ASIDE,
                             close_up="[[-0.13, 0.05, -0.05], [-0.05, 0.1, 0.06]]")
@@ -88,7 +87,7 @@ def all_scenarios():
         bleeding.pringle(), ligaments(ASIDE), organ=bleeds, close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
     yield "cautery", elastic(
         "A raw surface is coagulated", "Small arteries bleed where the aspirator took tissue away; seal them with the pencil", 8.0,
-        bleeding.cautery(), ligaments(ASIDE), organ=bleeds, close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
+        bleeding.cautery(), ligaments(ASIDE), organ=bleeds, close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]", view="top")
     yield "snip", elastic("Scissors cut into the left lobe", "Cut with the scissors, snip by snip, from the front; no tissue is lost, but blood", 8.0,
                           soft.snip(), ligaments(ASIDE), x=ASIDE,
                           close_up=LEFT_LOBE)

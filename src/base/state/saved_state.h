@@ -46,7 +46,7 @@ struct StateColumn {
   std::vector<CellOrder> orders;
 };
 
-inline constexpr std::uint32_t kStateVersion = 6;
+inline constexpr std::uint32_t kStateVersion = 7;
 
 struct SavedState {
   std::uint32_t version = kStateVersion;

@@ -125,6 +125,8 @@ TissueMaterial readMaterial(const TomlTable& t, const TissueMaterial& defaults,
   material.capsule = t.number("capsule", ranges::kCapsule, defaults.capsule);
   material.capsuleStrength =
       t.number("capsule_strength", ranges::kCapsuleStrength, defaults.capsuleStrength);
+  material.capsuleTension =
+      t.number("capsule_tension", ranges::kCapsuleTension, defaults.capsuleTension);
   material.cutEnergy = t.number("cut_energy", ranges::kCutEnergy, defaults.cutEnergy);
   material.capsuleCutEnergy =
       t.number("capsule_cut_energy", ranges::kCapsuleCutEnergy, defaults.capsuleCutEnergy);

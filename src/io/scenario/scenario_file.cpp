@@ -106,7 +106,7 @@ TissueSetup readTissue(const TomlTable& t) {
   if (t.flag("plain", false)) {
     tissue.material.stiffening = 0;
     tissue.material.branches.clear();
-    tissue.material.capsule = 0;
+    tissue.material.capsule = tissue.material.capsuleTension = 0;
     tissue.material.cutEnergy = tissue.material.capsuleCutEnergy = 0;
   }
   tissue.material = readMaterial(t, tissue.material, tissue.notes);

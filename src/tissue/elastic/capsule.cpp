@@ -16,6 +16,9 @@ namespace {
 // softer.
 constexpr double kMostStiff = 4;
 
+// Distance from a wound at which the capsule does not draw back any more, m.
+constexpr double kReach = 0.06;
+
 // How strongly the strain of a cell depends on the displacements of its neighbours and itself:
 // sum of |dH/du|^2, 1/m^2.
 double sensitivity(const ElasticState& s, std::int32_t i) {
@@ -32,18 +35,62 @@ double sensitivity(const ElasticState& s, std::int32_t i) {
   return sum + own.squaredNorm();
 }
 
-// Principal stretches minus 1 and tensions, N/m, of a membrane; the larger ones first.
+// Principal stretches minus 1 and tensions, N/m, of a membrane; the larger ones first. energy: per
+// area, J/m^2. tightness: ElasticState::tightness.
 struct Stretched {
   double d[2];
   double tension[2];
+  double energy;
 };
-Stretched stretched(double stiffness, double e1, double e2) {
+Stretched stretched(double stiffness, double e1, double e2, double tightness) {
   constexpr double kNu = kCapsulePoisson, kBoth = kBothWays;
   const auto longer = [](double e) { return 2 * e / (1 + std::sqrt(std::max(0.0, 1 + 2 * e))); };
-  Stretched s{{longer(e1), longer(e2)}, {}};
-  s.tension[0] = stiffness * std::max({0.0, s.d[0], kBoth * (s.d[0] + kNu * s.d[1])});
-  s.tension[1] = stiffness * std::max(0.0, kBoth * (s.d[1] + kNu * s.d[0]));
+  Stretched s{{longer(e1), longer(e2)}, {}, 0};
+  const double x[2] = {s.d[0] + tightness, s.d[1] + tightness};
+  s.tension[0] = stiffness * std::max({0.0, x[0], kBoth * (x[0] + kNu * x[1])});
+  s.tension[1] = stiffness * std::max(0.0, kBoth * (x[1] + kNu * x[0]));
+  s.energy = 0.5 * (s.tension[0] * x[0] + s.tension[1] * x[1]);  // tensions are linear in x
   return s;
+}
+
+// The tightness at which a membrane has the tension of the intact organ in both directions.
+double tightnessOf(const TissueMaterial& m) {
+  return m.capsule > 0 ? m.capsuleTension / (m.capsule * kBothWays * (1 + kCapsulePoisson)) : 0;
+}
+
+bool endsAtWound(const ElasticState& s, std::int32_t i) {
+  if (!s.solid[i] || !(s.skinArea[i] > 0)) return false;
+  for (int d = 0; d < kDirections; ++d) {
+    const std::int32_t j = i + s.box.step[d];
+    if (s.solid[j] ? !(s.bonds[i] >> d & 1) : s.skinArea[j] > 0) return true;
+  }
+  return false;
+}
+
+// What a wound's lip at the place `at` gives cell i, whose place is `c`; below 0 beyond kReach.
+float tightnessBy(const ElasticState& s, std::int32_t i, const Vec3i& c, const Vec3i& at) {
+  const double share = 1 - s.spacing * (c - at).cast<double>().norm() / kReach;
+  return float(share * tightnessOf(s.materials[s.material[i]]));
+}
+
+float tightnessAt(const ElasticState& s, std::int32_t i) {
+  float most = 0;
+  for (const std::int32_t lip : s.lips)
+    most = std::max(most, tightnessBy(s, i, s.box.cell(i), s.box.cell(lip)));
+  return most;
+}
+
+void tightenRound(ElasticState& s, std::int32_t lip) {
+  const Vec3i reach = Vec3i::Constant(int(kReach / s.spacing)), at = s.box.cell(lip);
+  const Vec3i low = (at - reach).cwiseMax(0);
+  const Vec3i high = (at + reach).cwiseMin(s.box.dims - Vec3i::Ones());
+  for (int z = low.z(); z <= high.z(); ++z)
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int x = low.x(); x <= high.x(); ++x) {
+        const Vec3i c(x, y, z);
+        const std::int32_t i = s.box.index(c);
+        if (s.skinArea[i] > 0) s.tightness[i] = std::max(s.tightness[i], tightnessBy(s, i, c, at));
+      }
 }
 
 }  // namespace
@@ -55,6 +102,8 @@ void setSkin(ElasticState& s, std::span<const SurfacePatch> patches) {
   for (FloatArray& component : s.skinNormal) component.assign(s.box.size, 0);
   s.skinArea.assign(s.box.size, 0);
   s.capsule.assign(s.box.size, 0);
+  s.tightness.assign(s.box.size, 0);
+  s.lips.clear();
   allocateBranches(s);
   std::vector<std::int32_t> cells;
   for (std::size_t k = 0; k < patches.size();) {
@@ -87,6 +136,22 @@ void remakeCapsule(ElasticState& s, std::span<const std::int32_t> cells) {
   }
 }
 
+void retractCapsule(ElasticState& s, std::span<const std::int32_t> cells) {
+  const bool any = std::ranges::any_of(
+      s.materials, [](const TissueMaterial& m) { return m.capsuleTension > 0; });
+  if (s.capsule.empty() || !any) return;
+  std::vector<std::int32_t> fresh;
+  for (const std::int32_t i : cells) {
+    const auto at = std::ranges::lower_bound(s.lips, i);
+    const bool was = at != s.lips.end() && *at == i, is = endsAtWound(s, i);
+    if (is && !was) s.lips.insert(at, i), fresh.push_back(i);
+    if (was && !is) s.lips.erase(at), fresh = s.lips, s.tightness.assign(s.box.size, 0);
+  }
+  for (const std::int32_t lip : fresh) tightenRound(s, lip);
+  for (const std::int32_t i : cells)  // whose material may have changed
+    if (s.skinArea[i] > 0) s.tightness[i] = tightnessAt(s, i);
+}
+
 CapsuleResponse capsuleResponse(const ElasticState& s, std::int32_t i, const Mat3& f) {
   CapsuleResponse response;
   if (s.capsule.empty() || !(s.capsule[i] > 0)) return response;
@@ -99,12 +164,14 @@ CapsuleResponse capsuleResponse(const ElasticState& s, std::int32_t i, const Mat
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(strain);
   const double stiffness = s.materials[s.material[i]].capsule;
   const double area = double(s.capsule[i]) / stiffness;  // that counts
-  const Stretched at = stretched(stiffness, eigen.eigenvalues()[1], eigen.eigenvalues()[0]);
+  const double tightness = s.tightness[i];
+  const Stretched at =
+      stretched(stiffness, eigen.eigenvalues()[1], eigen.eigenvalues()[0], tightness);
   response.tension = at.tension[0];
+  response.energy = area * (at.energy - stretched(stiffness, 0, 0, tightness).energy);
   for (int k = 0; k < 2; ++k) {
     const Vec3 along = tangents * eigen.eigenvectors().col(1 - k);
     response.stress += area * at.tension[k] / (1 + at.d[k]) * along * along.transpose();
-    response.energy += area * 0.5 * at.tension[k] * at.d[k];  // tensions are linear in d
   }
   return response;
 }
@@ -120,7 +187,7 @@ void tearCapsule(ElasticState& s, const ElasticKernel& kernel) {
       const Mat3 h = gradients.at(i);
       const TissueMaterial& m = s.materials[s.material[i]];
       // A stretch is at most 1 + |H|: most cells need no eigenvalues.
-      if (2 * m.capsule * h.norm() < m.capsuleStrength) continue;
+      if (2 * m.capsule * (h.norm() + double(s.tightness[i])) < m.capsuleStrength) continue;
       if (capsuleResponse(s, i, Mat3::Identity() + h).tension <= m.capsuleStrength) continue;
       s.capsuleTorn[i] = 1;
       s.capsule[i] = 0;

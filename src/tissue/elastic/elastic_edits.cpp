@@ -23,6 +23,7 @@ void ElasticTissue::settle() {
       refreshCells(state_, bondsChanged_);
     }
     remakeCapsule(state_, bondsChanged_);
+    retractCapsule(state_, bondsChanged_);
     fibres_ = findFibres(state_, fibres_);
     uneven_ = findUnevenBonds(state_);
   }

@@ -104,6 +104,7 @@ void ElasticTissue::endRestore(std::span<const std::uint8_t>) {
   remakeCells(state_, changed);
   refreshCells(state_, changed);
   remakeCapsule(state_, changed);
+  retractCapsule(state_, changed);
   refreshChunks(state_, held);
   fibres_ = findFibres(state_, fibres_);
   uneven_ = findUnevenBonds(state_);

@@ -227,11 +227,11 @@ void checkMaterial(const TissueMaterial& m) {
           "give young from 1 to 1e9, poisson from 0 to 0.4999, density from 1 to 1e5, tearEnergy "
           "above 0",
           m.name, m.young, m.poisson, m.density, m.tearEnergy);
-  require(
-      within(m.capsule, 0, 1e5) && m.capsuleStrength > 0,
-      "material \"{}\" has capsule = {} N/m with a strength of {} N/m; give a capsule from 0 to "
-      "1e5, and a strength above 0",
-      m.name, m.capsule, m.capsuleStrength);
+  require(within(m.capsule, 0, 1e5) && m.capsuleStrength > 0 && within(m.capsuleTension, 0, 1e4),
+          "material \"{}\" has capsule = {} N/m with a strength of {} N/m and a tension of {} N/m; "
+          "give "
+          "a capsule from 0 to 1e5, a strength above 0, and a tension from 0 to 1e4",
+          m.name, m.capsule, m.capsuleStrength, m.capsuleTension);
   require(
       within(m.cutEnergy, 0, 1e6) && within(m.capsuleCutEnergy, 0, 1e4),
       "material \"{}\" has cutEnergy = {} J/m^2 and capsuleCutEnergy = {} J/m; give 0 to 1e6, and "
@@ -365,6 +365,7 @@ ElasticView viewOf(ElasticState& s) {
   view.viscousVolume = s.viscousVolume.data();
   view.stiffening = s.stiffening.data();
   view.capsule = s.capsule.empty() ? nullptr : s.capsule.data();
+  view.tightness = s.tightness.empty() ? nullptr : s.tightness.data();
   for (std::size_t a = 0; a < 3; ++a) view.skinNormal[a] = s.skinNormal[a].data();
   view.inverseMass = s.inverseMass.data();
   view.weight = s.weight.data();

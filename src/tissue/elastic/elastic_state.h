@@ -2,7 +2,7 @@
 // a border of empty cells.
 //
 // Memory per cell of the box: 4 * (3 * 4 + 9 + 6 + 3 * 3 + 8) + 6 = 182 bytes. If a material has n
-// Maxwell branches, 4 * (7 + 8 n) bytes are added. With a capsule, 20 bytes are added, or 48 if
+// Maxwell branches, 4 * (7 + 8 n) bytes are added. With a capsule, 24 bytes are added, or 52 if
 // there are no branches. Lengths are in m, masses in kg; but offsets to neighbours are in spacings
 // (sides of a cell). V is the volume of a cell; lambda and mu are Lame's constants. The symbols
 // A_i, q_i and M_i are those of docs/methods/tissue.md. L_i is the inverse of M_i. S_i is the sum
@@ -86,6 +86,10 @@ struct ElasticState {
   // skin, m^2. skinNormal: normal of this skin, unit.
   FloatArray capsule, skinArea;
   std::array<FloatArray, 3> skinNormal;
+  // tightness: stretch minus 1 of the cell's capsule in the intact organ, as far as a wound sets it
+  // free (retractCapsule()). lips: cells whose capsule ends at a wound, ascending.
+  FloatArray tightness;
+  std::vector<std::int32_t> lips;
   FloatArray kappa;                            // alpha mu V, J; 0 for a cell without a gradient
   AlignedArray<std::uint32_t> bonds;           // bit d: bonded to the neighbour in direction d
   AlignedArray<std::uint8_t> solid, material;  // 1: solid; index in `materials`
@@ -111,8 +115,8 @@ struct ElasticState {
   void visitMade(Visitor& v) {
     v.made(box, spacing, penalty, ahead, stress, bondForce, inverseMoment, skew, planeWeight);
     v.made(inverseMass, share, weight, shearVolume, lameVolume, kappa, owner, chunks);
-    v.made(capsule, skinArea, skinNormal, stiffening, viscous, viscousVolume, branchVolume,
-           branchRate);
+    v.made(capsule, skinArea, skinNormal, tightness, lips, stiffening, viscous, viscousVolume,
+           branchVolume, branchRate);
   }
 };
 

@@ -46,8 +46,9 @@ RESECT_INLINE void stretchCapsule(const ElasticView& s, std::int32_t i, const La
   const Lanes<N> long1 = root<N>(larger<N>(none, one + 2.0f * e1));
   const Lanes<N> long2 = root<N>(larger<N>(none, one + 2.0f * e2));
   const Lanes<N> d1 = 2.0f * e1 / (one + long1), d2 = 2.0f * e2 / (one + long2);
-  const Lanes<N> pull1 = larger<N>(none, larger<N>(d1, kBothWays * (d1 + kCapsulePoisson * d2)));
-  const Lanes<N> pull2 = larger<N>(none, kBothWays * (d2 + kCapsulePoisson * d1));
+  const Lanes<N> tight = load<N>(s.tightness + i), x1 = d1 + tight, x2 = d2 + tight;
+  const Lanes<N> pull1 = larger<N>(none, larger<N>(x1, kBothWays * (x1 + kCapsulePoisson * x2)));
+  const Lanes<N> pull2 = larger<N>(none, kBothWays * (x2 + kCapsulePoisson * x1));
   // In the basis of the tangents: S = s2 I + q (e - e2 I), with q = (s1 - s2) / (e1 - e2).
   const Lanes<N> stiffness = load<N>(s.capsule + i);
   const Lanes<N> s1 = stiffness * pull1 / (one + d1), s2 = stiffness * pull2 / (one + d2);

@@ -69,7 +69,7 @@ struct ElasticView {
   float *relaxed[kMostBranches][6], *viscous[6];
   const float *viscousVolume, *branchVolume[kMostBranches], *branchRate[kMostBranches];
   const float* stiffening;
-  const float *capsule, *skinNormal[3];  // null without a capsule
+  const float *capsule, *tightness, *skinNormal[3];  // null without a capsule
   int branches;
   const float *inverseMoment[6], *skew[3], *planeWeight[3], *load[3];
   const float *inverseMass, *weight, *shearVolume, *lameVolume, *kappa;
