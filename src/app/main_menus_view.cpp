@@ -84,6 +84,13 @@ void MainWindow::makeViewMenu() {
     session_->showField(on);
     if (options_.reports) say("setting {}", on ? "field" : "table");
   });
+  hands_ = view->addAction(Words::tr("Surgeon's &hands"));
+  hands_->setCheckable(true);
+  hands_->setToolTip(Words::tr(
+      "Gloved hands hold the instruments in the opened abdomen; they hide what is below them"));
+  connect(hands_, &QAction::toggled, this, [this](bool on) {
+    if (session_) session_->showHands(on);
+  });
   addLampMenu(view);
   breathing_ = view->addAction(Words::tr("B&reathing"));
   breathing_->setCheckable(true);

@@ -200,7 +200,7 @@ class MainWindow : public QMainWindow {
   QMenu *recent_, *recordings_;
   QAction *undo_, *redo_, *recordingOn_;
   LampPlace lampPlace_ = LampPlace::PatientsRight;
-  QAction *breathing_, *dark_, *field_, *laboratory_, *marks_, *scale_, *thesis_;
+  QAction *breathing_, *dark_, *field_, *hands_, *laboratory_, *marks_, *scale_, *thesis_;
   HintBar* hint_;
   OperationPanel* operation_;
   QList<QDockWidget*> traineePanels_, laboratoryPanels_;

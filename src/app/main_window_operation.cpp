@@ -230,6 +230,8 @@ bool MainWindow::begin(OrganLoader::Result result) {
   thesis_->setChecked(thesis);
   field_->setChecked(showsField(session_->scenario()));
   field_->setEnabled(!thesis);
+  hands_->setEnabled(!thesis);
+  session_->showHands(hands_->isChecked());
   laboratory_->setChecked(laboratoryChosen_.value_or(thesis));
   QTimer::singleShot(0, this, [this] { arrangePanels(); });
   const ScenarioOrgan& organ = session_->scenario().organs[0];

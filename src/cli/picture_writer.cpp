@@ -38,6 +38,7 @@ struct PictureWriter::State {
         picture(width, height, wanted.quality),
         operation(scenario, simulation, double(width) / height) {
     operation.room().setShadowResolution(wanted.quality.shadowTexels);
+    operation.room().showHands(wanted.hands);
     if (!settings.video.empty()) video.emplace(settings.video, width, height, settings.rate);
     if (!settings.folder.empty() && settings.overwrite)
       removeNumberedFiles(framesIn(settings.folder));

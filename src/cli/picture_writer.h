@@ -18,6 +18,7 @@ struct PictureSettings {
   std::string size;    // size in pixels, such as "1280x720"
   double rate = 10;    // pictures per simulated second
   PictureQuality quality;
+  bool hands = true;  // whether hands hold the instruments in the operative field
   // Whether numbered pictures that are already in the folder are removed before the first new one
   // is written.
   bool overwrite = false;

@@ -35,7 +35,7 @@ void PictureOptions::applyTo(Scenario& scenario) const {
 PictureSettings settingsOf(const PictureOptions& options, bool overwrite) {
   return {
       options.frames, options.video, options.size, options.rate, requireQuality(options.quality),
-      overwrite};
+      options.hands,  overwrite};
 }
 
 void requireSetting(const std::string& setting) {
@@ -71,6 +71,7 @@ void addPictureOptions(Command command, PictureOptions& options) {
   addQualityOption(command, options.quality);
   command.option("--view", options.view, fmt::format("Camera: {}", kRoomViewNames));
   addSettingOption(command, options.setting);
+  command.flag("!--no-hands", options.hands, "Draw no hands that hold the instruments");
 }
 
 void addBreathingOption(Command command, std::string& depth) {

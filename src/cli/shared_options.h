@@ -20,6 +20,7 @@ struct PictureOptions {
   std::string frames, video;
   std::string size = "1280x720", view, setting, quality = "window";
   double rate = 10;  // pictures per simulated second
+  bool hands = true;
 
   bool wanted() const { return !frames.empty() || !video.empty(); }
   // Throws a usage Error if the size, the quality, the view, the rate or the name of the video is
@@ -33,8 +34,8 @@ struct PictureOptions {
 // Converts the options to the settings of a PictureWriter. overwrite: PictureSettings::overwrite.
 PictureSettings settingsOf(const PictureOptions& options, bool overwrite);
 
-// Adds --frames, --video, --picture-rate, --size, --quality, --view and --setting. The options must
-// live as long as the command.
+// Adds --frames, --video, --picture-rate, --size, --quality, --view, --setting and --no-hands. The
+// options must live as long as the command.
 void addPictureOptions(Command command, PictureOptions& options);
 
 // Adds --quality, one of kQualityNames (inventor/picture/picture_quality.h).

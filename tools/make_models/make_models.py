@@ -24,10 +24,11 @@ import suction
 import table
 import toolbox
 from field import body, model as field
+from hands import model as hands
 
 INSTRUMENTS = (scalpel, hook, baton, scissors, suction, clip_applier, bipolar)
 INSTRUMENTS += (gauze, inflow_clamp, pencil, aspirator, forceps)
-ROOM = (table, toolbox, field, body)
+ROOM = (table, toolbox, field, body, hands)
 
 
 def all_files():

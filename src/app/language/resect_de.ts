@@ -3945,5 +3945,13 @@
         <source>%1 of debris</source>
         <translation>%1 Reste</translation>
     </message>
+    <message>
+        <source>Surgeon&apos;s &amp;hands</source>
+        <translation>&amp;Hände des Chirurgen</translation>
+    </message>
+    <message>
+        <source>Gloved hands hold the instruments in the opened abdomen; they hide what is below them</source>
+        <translation>Behandschuhte Hände halten die Instrumente im geöffneten Bauch; sie verdecken, was unter ihnen liegt</translation>
+    </message>
 </context>
 </TS>

@@ -39,6 +39,8 @@ Stages stages(RoomMaterial material) {
       return {"organ.vert", {"noise.glsl", "rim.glsl", "deferred/gather.frag"}};
     case RoomMaterial::Steel:
       return {"surface.vert", {"light.glsl", "noise.glsl", "steel.frag"}};
+    case RoomMaterial::Glove:
+      return {"surface.vert", {"light.glsl", "noise.glsl", "glove.frag"}};
     case RoomMaterial::Strand:
       return {"organ.vert", {"light.glsl", "noise.glsl", "wet.glsl", "strand.frag"}};
     case RoomMaterial::Cloth:

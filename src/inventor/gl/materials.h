@@ -17,6 +17,7 @@ enum class RoomMaterial {
   Liver,   // wet capsule and cut parenchyma, for SoOrganShape
   Gather,  // stores for each pixel the inputs of Liver's shading; for SoShadeOnce
   Steel,   // instruments; looks like plastic where the specular colour is dark
+  Glove,   // the surgeon's hands and sleeves
   // Walls of vessels that have no tissue round them. The material is for an SoOrganShape with the
   // vertices that operation/blood/vessel_walls.h makes.
   Strand,

@@ -191,10 +191,14 @@ void OperatingSession::setTools() {
 void OperatingSession::toolsChanged() {
   if (tools_.held() >= 0 && !following_) stopPlaying(), playedOut_ = false;
   toolBoxes_.resize(std::size_t(tools_.toolCount()));
-  shownSlices_.resize(toolBoxes_.size());
+  shownSlices_.resize(toolBoxes_.size()), shownHands_.resize(toolBoxes_.size());
   // While a moment is shown, the operation decides where the tools are.
   if (!showing()) setTools();
   for (int i = 0; i < tools_.toolCount(); ++i) {
+    if (const Aabb hand = room().handBounds(i); hand.min != shownHands_[std::size_t(i)].min) {
+      damage_.boxes.insert(damage_.boxes.end(), {hand, shownHands_[std::size_t(i)]});
+      shownHands_[std::size_t(i)] = hand;
+    }
     const Aabb box = room().toolBounds(i);
     Aabb& before = toolBoxes_[std::size_t(i)];
     if (box.min == before.min && box.max == before.max) continue;
@@ -342,6 +346,11 @@ void OperatingSession::showField(bool field) {
   scenario_.setting = field ? "field" : "table";
   view_.showField(showsField(scenario_));
   keepAboveWall();
+  damage_.everything = true;
+}
+
+void OperatingSession::showHands(bool shown) {
+  room().showHands(shown);
   damage_.everything = true;
 }
 

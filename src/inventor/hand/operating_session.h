@@ -129,6 +129,7 @@ class OperatingSession {
   const Scenario& scenario() const { return scenario_; }
   // From the next picture on, shows the operative field (true) or the table (false).
   void showField(bool field);
+  void showHands(bool shown);      // from the next picture on
   void moveLamp(LampPlace place);  // from the next picture on
   const std::vector<ToolModel>& toolModels() const { return toolModels_; }
   // Cells of the first organ before the operation.
@@ -181,6 +182,7 @@ class OperatingSession {
   // For each tool: the boxes of its slices after its last motion; world, m. If the tool was held
   // with a manipulator, this is its bounding box instead.
   std::vector<std::vector<Aabb>> shownSlices_;
+  std::vector<Aabb> shownHands_;  // for each tool: the bounds of its hand that were drawn last
   std::shared_ptr<const LooseBlood> loose_;    // blood that was drawn last
   std::shared_ptr<const BareVessels> bare_;    // vessels that were drawn last
   std::shared_ptr<const SurfaceCopy> adnexa_;  // parts that hang on the organ, as drawn last

@@ -159,6 +159,7 @@ OperatingRoom::OperatingRoom() {
   steel_->ref();
   root_->addChild(withMaterial(RoomMaterial::Steel, {toolbox_}));
   root_->addChild(tools_);
+  root_->addChild(handsShown_ = new SoSwitch);
   bare_ = new SoOrganShape;
   clips_ = uncachedSeparator();
   auto* closed = new SoShapeHints;

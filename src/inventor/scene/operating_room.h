@@ -5,6 +5,7 @@
 //     Separator { liver, SoTransform, Separator { colour, SoShadeOnce { SoOrganShape } } ... }
 //     Separator { steel, tool box and tray }
 //     Separator { Separator { SoTransform, SoSwitch { blood, steel, tool } } ... }
+//     SoSwitch { SoSwitch { Separator { SoTransform, hand } } ... }
 //     Separator { strand, bare vessels }
 //     Separator { steel, clips }
 //     Separator { strand, SoSwitch { adnexa } }
@@ -32,6 +33,7 @@
 #include "geometry/pose.h"
 #include "geometry/triangle_mesh.h"
 #include "inventor/scene/model_nodes.h"
+#include "inventor/scene/surgeons_hands.h"
 
 class SoBaseColor;
 class SoCoordinate3;
@@ -120,6 +122,12 @@ class OperatingRoom {
   // Opens or closes the jaws of a tool. squeeze: 0 for wide open, 1 for closed, or a value in
   // between. Returns whether a jaw has turned. A tool without jaws does not change.
   bool setToolSqueeze(int tool, double squeeze);
+  // Shows or hides the hands that hold the tools (inventor/scene/surgeons_hands.h). At first they
+  // are hidden. Hands are seen only in the operative field, and not by the laparoscope. May throw
+  // Error, now or later, if a model of a hand cannot be read.
+  void showHands(bool shown);
+  // Bounds of the hand that holds a tool; world, m. Empty if no hand is seen there.
+  Aabb handBounds(int tool) const;
   // Sets how much of a tool is covered with blood. reach: the blood covers the tool from the tip up
   // to this distance from the tip, m.
   void setToolBlood(int tool, double reach);
@@ -207,6 +215,9 @@ class OperatingRoom {
  private:
   void requireTool(int tool) const;
   void followTools();
+  void followHand(int tool, const Pose& pose, bool toolShown);
+  bool handsAreSeen() const;
+  void updateHands();  // after a change of what handsAreSeen() depends on
   void place(RoomView view, const Vec3& target, double distance);
   void setLights(RoomView view);
 
@@ -236,7 +247,11 @@ class OperatingRoom {
   // manipulators cast no shadow.
   SoSeparator* toolShadows_;
   std::vector<std::vector<ToolNodes::Jaw>> jaws_;  // the jaws of each tool
-  std::vector<std::optional<Pose>> hiddenAt_;      // for each tool: `rest` of hideAtRest()
+  // A switch for each tool. Its hand is read when it is first seen.
+  SoSwitch* handsShown_;
+  bool handsWanted_ = false;
+  std::vector<std::optional<HandGrip>> grips_;  // how each tool is held
+  std::vector<std::optional<Pose>> hiddenAt_;   // for each tool: `rest` of hideAtRest()
   SoSeparator* tissue_;
   SoTransform* organPose_;
   SoBaseColor* organColour_;

@@ -1,50 +1,15 @@
 #include "inventor/scene/operation_view.h"
 
-#include <Inventor/SoDB.h>
-#include <Inventor/SoInput.h>
-#include <Inventor/nodes/SoSeparator.h>
-#include <Inventor/nodes/SoTransform.h>
-
 #include <algorithm>
-#include <filesystem>
 
 #include "base/error.h"
 #include "inventor/gl/SoOrganShape.h"
-#include "inventor/init.h"
-#include "io/data_folder.h"
 #include "operation/blood/bare_vessels.h"
 #include "operation/blood/bloody_tools.h"
 #include "operation/blood/loose_blood.h"
 #include "operation/room.h"
 
 namespace resect {
-
-SoNode* readRoomModel(const std::string& name) {
-  require(name == "table" || name == "toolbox" || name == "tray" || name == "field",
-          "there is no model \"{}\" of the room; use table, toolbox, tray or field", name);
-  initInventor();
-  const std::filesystem::path path = dataFolder() / "room" / (name + ".iv");
-  SoInput input;
-  SoSeparator* root = input.openFile(path.c_str(), TRUE) ? SoDB::readAll(&input) : nullptr;
-  if (!root)
-    throw error("cannot read {} as an Inventor file; install Resect's data again", path.string());
-  return root;
-}
-
-SoNode* toolPlaces(std::size_t tools) {
-  auto* places = new SoSeparator;
-  const auto put = [&](const std::string& model, const Pose& pose) {
-    auto* placed = new SoSeparator;
-    auto* transform = new SoTransform;
-    setPose(transform, pose);
-    placed->addChild(transform);
-    placed->addChild(readRoomModel(model));
-    places->addChild(placed);
-  };
-  put("toolbox", toolBoxPose());
-  if (tools > kToolBoxPlaces) put("tray", trayPose());
-  return places;
-}
 
 Vec3f organColour(const OrganSource& organ) {
   return organ.file == "gallbladder" ? kGallbladderColour : kLiverColour;

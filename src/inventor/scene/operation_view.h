@@ -5,6 +5,7 @@
 
 #include "inventor/picture/offscreen_view.h"
 #include "inventor/scene/operating_room.h"
+#include "inventor/scene/room_models.h"
 #include "operation/adnexa/adnexa.h"
 #include "operation/live/surface_publisher.h"
 #include "operation/scenario.h"
@@ -12,19 +13,7 @@
 #include "simulation/simulation.h"
 #include "surface/surface_update.h"
 
-class SoNode;
-
 namespace resect {
-
-// Reads the model "table", "toolbox", "tray" or "field" from Resect's own data folder. Returns the
-// model as a scene graph with its materials. In this process Coin reads no other files: readModel()
-// (inventor/reading/model_file.h) reads all other model files in a child process.
-SoNode* readRoomModel(const std::string& name);
-
-// Scene graph of the tool box, in which tools lie while they are not in hand (toolBoxPlace()).
-// tools: number of tools. For more than four tools there is also a tray, on the other side of the
-// organ. The result is meant for OperatingRoom::setToolbox().
-SoNode* toolPlaces(std::size_t tools);
 
 // Screen colour (sRGB) of an organ before any cut.
 Vec3f organColour(const OrganSource& organ);

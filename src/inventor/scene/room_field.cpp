@@ -33,7 +33,7 @@ void OperatingRoom::setField(SoNode* model, const Aabb& organs) {
                         static_cast<SoGroup*>(fieldDome_)})
     part->removeAllChildren();
   adnexaShown_->whichChild = model ? SO_SWITCH_ALL : SO_SWITCH_NONE;
-  if (!model) return;
+  if (!model) return updateHands();
   model->ref();
   const FieldPlace at = fieldPlace(organs);
   const auto scale = float(at.scale);
@@ -57,6 +57,7 @@ void OperatingRoom::setField(SoNode* model, const Aabb& organs) {
   field_->addChild(fieldWall_);
   field_->addChild(fieldDome_);
   model->unref();  // its parts stay
+  updateHands();
 }
 
 }  // namespace resect

@@ -64,6 +64,8 @@ int OperatingRoom::addTool(SoNode* model) {
   toolShadows_->addChild(shadow);
   jaws_.emplace_back();
   hiddenAt_.emplace_back();
+  grips_.emplace_back();
+  handsShown_->addChild(new SoSwitch);
   return tools_->getNumChildren() - 1;
 }
 
@@ -71,6 +73,7 @@ int OperatingRoom::addTool(const ToolModel& tool) {
   ToolNodes nodes = makeToolNodes(tool);
   const int number = addTool(nodes.model);
   jaws_.back() = std::move(nodes.jaws);
+  grips_.back() = gripOf(tool);
   return number;
 }
 
@@ -140,6 +143,7 @@ void OperatingRoom::followTools() {
       auto* choice = static_cast<SoSwitch*>(node);
       if (choice->whichChild.getValue() != shown) choice->whichChild = shown;
     }
+    followHand(i, pose, shown == SO_SWITCH_ALL);
   }
 }
 

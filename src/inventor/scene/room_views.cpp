@@ -164,6 +164,7 @@ void OperatingRoom::setLights(RoomView view) {
   lamps_[1]->intensity = scope ? 0.015f : 0.28f;
   head_->intensity = scope ? 0.42f : 0.25f;
   head_->cutOffAngle = scope ? 0.75f : 0.389f;
+  updateHands();
 }
 
 void OperatingRoom::place(RoomView view, const Vec3& target, double distance) {

@@ -1,5 +1,5 @@
 """What of the operative field stops tissue: the wall round the opening, as one closed mesh. It follows the drawn
-surfaces within 3 mm (test/inventor/field_body_test.cpp), without the relief that a distance grid of some millimetres
+surfaces within 3 mm (test/inventor/field/field_body_test.cpp), without the relief that a distance grid of some millimetres
 cannot hold. Gauze pads and steel blades are left out. So are stomach and colon: they would have to give way."""
 
 from field.opening import angles, rim, skin_height

@@ -1,0 +1,58 @@
+// The hands that hold the instruments.
+#include <Inventor/actions/SoGetBoundingBoxAction.h>
+#include <Inventor/nodes/SoPickStyle.h>
+#include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoSwitch.h>
+#include <Inventor/nodes/SoTransform.h>
+
+#include "inventor/gl/materials.h"
+#include "inventor/scene/operating_room.h"
+
+namespace resect {
+
+bool OperatingRoom::handsAreSeen() const {
+  return handsWanted_ && !throughScope() && field_->getNumChildren() > 0;
+}
+
+void OperatingRoom::followHand(int tool, const Pose& pose, bool toolShown) {
+  const auto& grip = grips_[std::size_t(tool)];
+  if (!grip || !handsAreSeen()) return;
+  auto* shown = static_cast<SoSwitch*>(handsShown_->getChild(tool));
+  const int which = toolShown ? 0 : SO_SWITCH_NONE;
+  if (shown->whichChild.getValue() != which) shown->whichChild = which;
+  if (!toolShown) return;
+  if (shown->getNumChildren() == 0) {
+    auto* unpickable = new SoPickStyle;
+    unpickable->style = SoPickStyle::UNPICKABLE;
+    auto* hand = uncachedSeparator();
+    for (SoNode* node :
+         {static_cast<SoNode*>(new SoTransform), static_cast<SoNode*>(unpickable), makeHand(*grip)})
+      hand->addChild(node);
+    shown->addChild(hand);
+  }
+  const auto* hand = static_cast<SoSeparator*>(shown->getChild(0));
+  setPose(static_cast<SoTransform*>(hand->getChild(0)), handPose(*grip, pose));
+}
+
+void OperatingRoom::showHands(bool shown) {
+  handsWanted_ = shown;
+  updateHands();
+}
+
+void OperatingRoom::updateHands() {
+  handsShown_->whichChild = handsAreSeen() ? SO_SWITCH_ALL : SO_SWITCH_NONE;
+  followTools();
+}
+
+Aabb OperatingRoom::handBounds(int tool) const {
+  requireTool(tool);
+  if (!handsAreSeen()) return {};
+  SoGetBoundingBoxAction measure(SbViewportRegion(100, 100));
+  measure.apply(handsShown_->getChild(tool));
+  const SbBox3f box = measure.getBoundingBox();
+  if (box.isEmpty()) return {};
+  const SbVec3f &low = box.getMin(), &high = box.getMax();
+  return {Vec3(low[0], low[1], low[2]), Vec3(high[0], high[1], high[2])};
+}
+
+}  // namespace resect
