@@ -8,7 +8,7 @@ varying vec3 baseColor;
 // How far the part of the hand round `centre` (hand's frame, m) is clear of the line of sight to the
 // instrument's tip, m; below 0 where it hides the tip.
 float clear(vec3 centre, vec3 tip) {
-  const float kRadius = 0.035;
+  const float kRadius = 0.045;
   vec3 p = (gl_ModelViewMatrix * vec4(centre, 1.0)).xyz;
   float along = dot(p, normalize(tip));
   return along > length(tip) ? 1.0 : length(p - along * normalize(tip)) - kRadius;
@@ -22,7 +22,7 @@ float shown() {
                     min(clear(vec3(0.03, 0.0, 0.05), tip), clear(vec3(0.07, 0.0, 0.11), tip)));
   // A hand close to the eye would hide half of the picture.
   float away = -(gl_ModelViewMatrix * vec4(0.04, 0.0, 0.06, 1.0)).z;
-  return smoothstep(0.0, 0.004, least) * smoothstep(0.17, 0.18, away);
+  return smoothstep(0.0, 0.004, least) * smoothstep(0.26, 0.27, away);
 }
 
 void main() {
