@@ -46,6 +46,7 @@ class SoShaderProgram;
 class SoShapeHints;
 class SoSpotLight;
 class SoSwitch;
+class SoTexture2Transform;
 class SoTransform;
 
 namespace resect {
@@ -215,6 +216,7 @@ class OperatingRoom {
  private:
   void requireTool(int tool) const;
   void followTools();
+  SoTexture2Transform* toolBlood(int tool) const;  // x: `reach` of setToolBlood()
   void followHand(int tool, const Pose& pose, bool toolShown);
   bool handsAreSeen() const;
   void updateHands();  // after a change of what handsAreSeen() depends on

@@ -3,6 +3,7 @@
 #include <Inventor/nodes/SoPickStyle.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoSwitch.h>
+#include <Inventor/nodes/SoTexture2Transform.h>
 #include <Inventor/nodes/SoTransform.h>
 
 #include "inventor/gl/materials.h"
@@ -25,13 +26,16 @@ void OperatingRoom::followHand(int tool, const Pose& pose, bool toolShown) {
     auto* unpickable = new SoPickStyle;
     unpickable->style = SoPickStyle::UNPICKABLE;
     auto* hand = uncachedSeparator();
-    for (SoNode* node :
-         {static_cast<SoNode*>(new SoTransform), static_cast<SoNode*>(unpickable), makeHand(*grip)})
+    for (SoNode* node : {static_cast<SoNode*>(new SoTransform), static_cast<SoNode*>(unpickable),
+                         static_cast<SoNode*>(new SoTexture2Transform), makeHand(*grip)})
       hand->addChild(node);
     shown->addChild(hand);
   }
   const auto* hand = static_cast<SoSeparator*>(shown->getChild(0));
   setPose(static_cast<SoTransform*>(hand->getChild(0)), handPose(*grip, pose));
+  // Tells the shader how far from the fingers the tool's tip is, and how far the tool is bloody.
+  static_cast<SoTexture2Transform*>(hand->getChild(2))->translation =
+      SbVec2f(float(grip->at.z()), toolBlood(tool)->translation.getValue()[0]);
 }
 
 void OperatingRoom::showHands(bool shown) {

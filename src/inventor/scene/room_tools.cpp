@@ -96,9 +96,13 @@ bool OperatingRoom::setToolSqueeze(int tool, double squeeze) {
 
 void OperatingRoom::setToolBlood(int tool, double reach) {
   requireTool(tool);
-  auto* blood = static_cast<SoTexture2Transform*>(bodyOf(tools_, tool)->getChild(0));
+  SoTexture2Transform* blood = toolBlood(tool);
   const SbVec2f value(float(reach), 0);
   if (blood->translation.getValue() != value) blood->translation = value;
+}
+
+SoTexture2Transform* OperatingRoom::toolBlood(int tool) const {
+  return static_cast<SoTexture2Transform*>(bodyOf(tools_, tool)->getChild(0));
 }
 
 SoTransform* OperatingRoom::toolTransform(int tool) const {

@@ -4,7 +4,6 @@
 #include <Inventor/nodes/SoScale.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoShapeHints.h>
-#include <Inventor/nodes/SoTexture2Transform.h>
 
 #include <algorithm>
 #include <array>
@@ -71,9 +70,6 @@ SoNode* makeHand(const HandGrip& grip) {
   auto* hand = uncachedSeparator();
   SoNode* model = readRoomModel(grip.model);
   model->ref();
-  auto* tip = new SoTexture2Transform;  // tells the shader how far the tool's tip is
-  tip->translation = SbVec2f(float(grip.at.z()), 0);
-  hand->addChild(tip);
   if (grip.left) {
     auto* mirror = new SoScale;
     mirror->scaleFactor = SbVec3f(1, -1, 1);
