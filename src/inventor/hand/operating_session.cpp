@@ -195,9 +195,10 @@ void OperatingSession::toolsChanged() {
   // While a moment is shown, the operation decides where the tools are.
   if (!showing()) setTools();
   for (int i = 0; i < tools_.toolCount(); ++i) {
-    if (const Aabb hand = room().handBounds(i); hand.min != shownHands_[std::size_t(i)].min) {
-      damage_.boxes.insert(damage_.boxes.end(), {hand, shownHands_[std::size_t(i)]});
-      shownHands_[std::size_t(i)] = hand;
+    const Aabb hand = room().handBounds(i);
+    if (Aabb& shown = shownHands_[std::size_t(i)]; hand.min != shown.min || hand.max != shown.max) {
+      damage_.boxes.insert(damage_.boxes.end(), {hand, shown});
+      shown = hand;
     }
     const Aabb box = room().toolBounds(i);
     Aabb& before = toolBoxes_[std::size_t(i)];

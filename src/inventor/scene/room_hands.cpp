@@ -1,5 +1,4 @@
 // The hands that hold the instruments.
-#include <Inventor/actions/SoGetBoundingBoxAction.h>
 #include <Inventor/nodes/SoPickStyle.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoSwitch.h>
@@ -46,17 +45,6 @@ void OperatingRoom::showHands(bool shown) {
 void OperatingRoom::updateHands() {
   handsShown_->whichChild = handsAreSeen() ? SO_SWITCH_ALL : SO_SWITCH_NONE;
   followTools();
-}
-
-Aabb OperatingRoom::handBounds(int tool) const {
-  requireTool(tool);
-  if (!handsAreSeen()) return {};
-  SoGetBoundingBoxAction measure(SbViewportRegion(100, 100));
-  measure.apply(handsShown_->getChild(tool));
-  const SbBox3f box = measure.getBoundingBox();
-  if (box.isEmpty()) return {};
-  const SbVec3f &low = box.getMin(), &high = box.getMax();
-  return {Vec3(low[0], low[1], low[2]), Vec3(high[0], high[1], high[2])};
 }
 
 }  // namespace resect

@@ -32,6 +32,15 @@ bool near(const Pose& a, const Pose& b) {
   return (a.position - b.position).norm() < 1e-5 && a.rotation.angularDistance(b.rotation) < 1e-3;
 }
 
+Aabb boundsOf(SoNode* node) {
+  SoGetBoundingBoxAction measure(SbViewportRegion(100, 100));
+  measure.apply(node);
+  const SbBox3f box = measure.getBoundingBox();
+  if (box.isEmpty()) return {};
+  const SbVec3f &low = box.getMin(), &high = box.getMax();
+  return {Vec3(low[0], low[1], low[2]), Vec3(high[0], high[1], high[2])};
+}
+
 // Blood, material and model of a tool.
 SoSeparator* bodyOf(const SoSeparator* tools, int tool) {
   const auto* shown =
@@ -125,12 +134,12 @@ SoNode* OperatingRoom::toolModel(int tool) const {
 
 Aabb OperatingRoom::toolBounds(int tool) const {
   requireTool(tool);
-  SoGetBoundingBoxAction measure(SbViewportRegion(100, 100));
-  measure.apply(tools_->getChild(tool));
-  const SbBox3f box = measure.getBoundingBox();
-  if (box.isEmpty()) return {};
-  const SbVec3f &low = box.getMin(), &high = box.getMax();
-  return {Vec3(low[0], low[1], low[2]), Vec3(high[0], high[1], high[2])};
+  return boundsOf(tools_->getChild(tool));
+}
+
+Aabb OperatingRoom::handBounds(int tool) const {
+  requireTool(tool);
+  return handsAreSeen() ? boundsOf(handsShown_->getChild(tool)) : Aabb();
 }
 
 // A manipulator moves the tool's transform by itself.
