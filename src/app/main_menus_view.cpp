@@ -84,7 +84,7 @@ void MainWindow::makeViewMenu() {
     session_->showField(on);
     if (options_.reports) say("setting {}", on ? "field" : "table");
   });
-  hands_ = view->addAction(Words::tr("Surgeon's &hands"));
+  hands_ = view->addAction(Words::tr("Surgeon's hands"));
   hands_->setCheckable(true);
   hands_->setToolTip(Words::tr(
       "Gloved hands hold the instruments in the opened abdomen; they hide what is below them"));

@@ -3946,8 +3946,8 @@
         <translation>%1 Reste</translation>
     </message>
     <message>
-        <source>Surgeon&apos;s &amp;hands</source>
-        <translation>&amp;Hände des Chirurgen</translation>
+        <source>Surgeon&apos;s hands</source>
+        <translation>Hände des Chirurgen</translation>
     </message>
     <message>
         <source>Gloved hands hold the instruments in the opened abdomen; they hide what is below them</source>
