@@ -11,6 +11,14 @@ uniform sampler3D structureMap;     // tumour, and any other structure
 uniform vec3 structureLow;          // of the map, at rest, m
 uniform vec3 structurePerMetre;     // 0: there is none
 
+// A noise drawn out downhill, -1 to 1: that of the way along the slope and the height. q: along the slope
+// and upwards, m.
+float streaks(vec2 q) {
+  q.x += 0.0045 * noise2(q * vec2(30.0, 38.0)).x + 0.0014 * noise2(q * vec2(90.0, 120.0) + 3.0).x;
+  q.y *= 0.15;
+  return 0.75 * noise2(q * 190.0 + 0.7).x + 0.40 * noise2(q * 410.0 + 5.3).x;
+}
+
 // How much of the tissue is tumour (x) and another structure (y), 0 to 1; from cell to cell it goes
 // over slowly.
 vec2 structureAt(vec3 rest) {
@@ -29,21 +37,19 @@ vec2 heatAt(vec3 rest) {
 }
 
 // Thickness of liquid (x) and clotted (y) blood, mm. The map is that of cells, far wider than what
-// runs over a slope: thin blood gathers in rivulets there, and its borders are broken up by noise
-// (`rough`, -1 to 1). n: normal; upright surfaces have the longest rivulets.
+// runs over a slope: there blood runs in rivulets, thick ones with bare tissue between, the more of them
+// the more blood there is. Borders are broken up by noise (`rough`, -1 to 1). n: normal; upright
+// surfaces have the longest rivulets.
 vec2 bloodAt(vec3 rest, float rough, vec3 n) {
   if (bloodPerMetre.x == 0.0) return vec2(0.0);
   vec2 thick = 2.0 * texture3D(bloodMap, (rest - bloodLow) * bloodPerMetre).ra;
   if (thick.x + thick.y == 0.0) return thick;
-  vec3 down = vec3(0.0, -1.0, 0.0) + n * n.y;
-  float steep = length(down);
-  down /= max(steep, 1e-3);
-  // Stretched along the slope, about the organ's middle: so it hardly bends with the normal.
-  vec3 across = rest - bloodLow - 0.5 / bloodPerMetre;
-  across -= 0.86 * dot(across, down) * down;
-  float stream = noise(across * 170.0).x + 0.5 * noise(across * 430.0).x;
-  float thin = (1.0 - smoothstep(0.10, 0.60, thick.x)) * smoothstep(0.15, 0.5, steep);
-  thick.x *= mix(1.0, smoothstep(-0.75, 0.45, stream) * 1.5, thin);
+  float steep = sqrt(max(1.0 - n.y * n.y, 0.0));
+  float stream = mix(streaks(rest.zy), streaks(rest.xy), smoothstep(-0.4, 0.4, abs(n.z) - abs(n.x)));
+  const float kRivulet = 0.8;  // mm thick
+  float covered = thick.x / kRivulet, from = mix(0.55, -0.85, covered);
+  float rivulet = kRivulet * smoothstep(from - 0.15, from + 0.60, stream) + 0.05 * smoothstep(0.02, 0.3, covered);
+  thick.x = mix(thick.x, rivulet, smoothstep(0.20, 0.5, steep) * (1.0 - smoothstep(0.8, 1.2, covered)));
   // Between cells thickness falls off in straight lines; a border that starts where the noise has it hides them.
   // On a slope it is drawn out into tongues.
   float ragged = mix(rough, 0.9 * stream, 0.8 * smoothstep(0.15, 0.5, steep));

@@ -51,20 +51,27 @@ vec3 adnexa(vec3 n0, vec3 p, float wide) {
     t.albedo = mix(t.albedo, vec3(0.085, 0.022, 0.018), 0.45 * branches);
   } else if (kind < 17.5) {
     bend = 300.0;
-    vec3 fold = vec3(0.098, 0.040, 0.031) * (1.0 + 0.20 * broad.x + 0.10 * middle.x);
-    float fat = (1.0 - smoothstep(0.10, 0.70, share + 0.30 * middle.x)) * smoothstep(-0.2, 0.3, broad.x);
-    t.albedo = mix(fold, vec3(0.150, 0.076, 0.030), 0.75 * fat);
-    t.albedo = mix(t.albedo, vec3(0.095, 0.016, 0.013), 0.45 * branches);
-    float edge = smoothstep(0.70, 0.95, share + 0.12 * middle.x);
-    t.albedo = mix(t.albedo, vec3(0.055, 0.018, 0.013) * (1.0 + 0.4 * fine.x), 0.75 * edge);
+    // A thin membrane, through which the liver is seen the more the less it stands edgewise.
+    vec3 capsule = vec3(0.072, 0.019, 0.016);
+    float edgewise = 1.0 - abs(dot(normalize(gl_NormalMatrix * n0), normalize(eyePosition)));
+    vec3 membrane = vec3(0.175, 0.108, 0.086) * (1.0 + 0.15 * broad.x + 0.08 * middle.x);
+    t.albedo = mix(capsule, membrane, clamp(0.30 + 0.45 * edgewise * edgewise + 0.22 * middle.x + 0.20 * smoothstep(0.75, 0.95, share), 0.0, 1.0));
+    float fat = (1.0 - smoothstep(0.05, 0.55, share + 0.30 * middle.x)) * smoothstep(0.0, 0.4, broad.x);
+    t.albedo = mix(t.albedo, vec3(0.160, 0.090, 0.036), 0.70 * fat);
+    t.albedo = mix(t.albedo, vec3(0.095, 0.016, 0.013), 0.35 * branches);
     // It grows out of the capsule.
-    t.albedo = mix(vec3(0.070, 0.018, 0.015), t.albedo, smoothstep(0.10, 0.42, share + 0.15 * middle.x));
+    t.albedo = mix(capsule, t.albedo, smoothstep(0.05, 0.50, share + 0.15 * middle.x));
     t.bumps += 0.05 * middle.yzw + 0.02 * fine.yzw;
   } else {
     bend = 300.0;
     t.albedo = mix(vec3(0.110, 0.054, 0.038), vec3(0.140, 0.074, 0.030), smoothstep(-0.2, 0.5, broad.x));
     t.albedo *= 1.0 + 0.20 * middle.x + 0.10 * fine.x;
     t.albedo = mix(t.albedo, vec3(0.020, 0.022, 0.030), smoothstep(0.4, 0.7, share));  // the thread
+  }
+  vec2 blood = bloodAt(p, middle.x + 0.5 * fine.x, n0);
+  if (blood.x + blood.y > 0.0) {
+    t.albedo = underBlood(t.albedo, blood);
+    t.wet = mix(t.wet, 1.0, smoothstep(0.06, 0.5, blood.x));
   }
   Surroundings around = surroundings(eyePosition, pointToWorld(eyePosition));
   around.open = max(around.open, 0.35);

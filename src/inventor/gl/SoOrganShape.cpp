@@ -307,7 +307,7 @@ void SoOrganShape::upload(ContextBuffers& buffers) {
 
 void SoOrganShape::bindInside(std::uint32_t context, unsigned program) {
   ContextBuffers& buffers = contexts_[context];
-  buffers.blood.bind(blood_, program);
+  buffers.blood.bind(bloodOf_->blood_, program);
   buffers.heat.bind(heat_, program);
   buffers.structures.bind(structures_, program);
   buffers.vessels.bind(vessels_, program);

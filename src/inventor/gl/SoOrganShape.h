@@ -61,6 +61,10 @@ class SoOrganShape : public SoShape {
   // (surface/surface_update.h) makes an update that replaces everything.
   void update(const SurfaceUpdate& update);
 
+  // Shows another organ's blood on this shape, which hangs on that organ: where the blood is, is
+  // told by the shape's points at rest. The other shape must live as long as this one.
+  void showBloodOf(const SoOrganShape& organ) { bloodOf_ = &organ; }
+
   int vertexCount() const { return int(surface_.points.size()); }
   // Number of triangles, unused elements of the array included (see drawnTriangles()).
   int triangleCount() const { return int(surface_.triangles.size()); }
@@ -119,6 +123,7 @@ class SoOrganShape : public SoShape {
   SurfaceCopy surface_;
   std::shared_ptr<const TissueMap> blood_, heat_, structures_;
   std::shared_ptr<const VesselPicture> vessels_;
+  const SoOrganShape* bloodOf_ = this;  // see showBloodOf()
   PerContext<ContextBuffers> contexts_;
   std::uint64_t uploadedBytes_ = 0, uploadedVertices_ = 0;
   std::int64_t drawnTriangles_ = 0;

@@ -42,7 +42,7 @@ Stages stages(RoomMaterial material) {
     case RoomMaterial::Glove:
       return {"surface.vert", {"light.glsl", "noise.glsl", "glove.frag"}};
     case RoomMaterial::Strand:
-      return {"organ.vert", {"light.glsl", "noise.glsl", "wet.glsl", "strand.frag"}};
+      return {"organ.vert", {"light.glsl", "noise.glsl", "blood.glsl", "wet.glsl", "strand.frag"}};
     case RoomMaterial::Cloth:
       return {"surface.vert", {"light.glsl", "noise.glsl", "cloth.frag"}};
     case RoomMaterial::Skin:

@@ -170,6 +170,7 @@ OperatingRoom::OperatingRoom() {
   root_->addChild(withMaterial(RoomMaterial::Strand, {notPickedEither, closed, bare_}));
   root_->addChild(withMaterial(RoomMaterial::Steel, {notPickedEither, clips_}));
   adnexa_ = new SoOrganShape;
+  adnexa_->showBloodOf(*organs_[0]);
   adnexaShown_ = new SoSwitch;
   adnexaShown_->addChild(adnexa_);
   auto* sheets = new SoShapeHints;  // they are seen from both sides

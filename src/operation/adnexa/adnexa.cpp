@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/normals.h"
+#include "tissue/stencil.h"
 
 namespace resect {
 namespace {
@@ -17,8 +18,32 @@ constexpr double kWide = 1.3;
 // An edge that has become longer than this was torn or cut.
 constexpr float kStretches = 2.2f, kAlways = 1e-3f;  // times at rest, plus m
 
-// Beside tissue that was removed the fold of the ligament slopes down, over so many anchors.
+// Beside tissue that was removed the fold of the ligament slopes down, over so many anchors. Beside
+// a cut it shrinks a little.
 constexpr int kSlopes = 5;
+constexpr double kBesideCut = 0.6;  // share of the height
+
+// The bonds along a straight line between two points in tissue at rest.
+std::vector<TissueBond> bondsBetween(const Lattice& lattice, const Vec3& from, const Vec3& to) {
+  std::vector<TissueBond> bonds;
+  const int steps = 1 + int(4 * (to - from).norm() / lattice.spacing.minCoeff());
+  std::optional<Vec3i> before = lattice.cellAt(from);
+  for (int i = 1; i <= steps; ++i) {
+    const std::optional<Vec3i> cell = lattice.cellAt(from + (to - from) * (double(i) / steps));
+    if (cell && before && *cell != *before)
+      bonds.push_back({lattice.index(*before), directionTo(*cell - *before)});
+    before = cell;
+  }
+  return bonds;
+}
+
+// Whether both cells of a bond are tissue, with no bond between them.
+bool severed(const OperatedOrgan& operated, const TissueBond& bond) {
+  const Lattice& lattice = operated.organ.rest.lattice;
+  const std::int64_t other = lattice.index(lattice.cell(bond.cell) + offsetOf(bond.direction));
+  return operated.organ.alive[std::size_t(bond.cell)] && operated.organ.alive[std::size_t(other)] &&
+         !(operated.tissue->bonds(bond.cell) >> bond.direction & 1);
+}
 
 }  // namespace
 
@@ -26,12 +51,18 @@ constexpr int kSlopes = 5;
 std::vector<double> Adnexa::heights() const {
   std::vector<double> left(motions_.size(), 1);
   const auto rows = std::ptrdiff_t(motions_.size()) - 1;  // the last anchor is the gallbladder's
-  for (std::ptrdiff_t gone = 0; gone < rows; ++gone) {
-    if (motions_[std::size_t(gone)].held) continue;
-    for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, gone - kSlopes);
-         i <= std::min(rows - 1, gone + kSlopes); ++i)
-      left[std::size_t(i)] =
-          std::min(left[std::size_t(i)], double(std::abs(i - gone)) / (kSlopes + 1));
+  const auto lower = [&](std::ptrdiff_t anchor, double height) {
+    double& now = left[std::size_t(anchor)];
+    now = std::min(now, height);
+  };
+  for (std::ptrdiff_t i = 0; i < rows; ++i) {
+    const Motion& motion = motions_[std::size_t(i)];
+    if (motion.cut)
+      for (const std::ptrdiff_t beside : {i - 1, i}) lower(beside, kBesideCut);
+    if (motion.held) continue;
+    for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(0, i - kSlopes);
+         k <= std::min(rows - 1, i + kSlopes); ++k)
+      lower(k, double(std::abs(k - i)) / (kSlopes + 1));
   }
   return left;
 }
@@ -43,11 +74,11 @@ void Adnexa::begin(const OperatedOrgan& operated) {
   if (!place) return;
   place_ = *place;
   shapes_ = liverAdnexa();
-  for (const Vec3& p : shapes_.mesh.points) rest_.emplace_back(p.cast<float>());
+  for (Vec3& p : shapes_.mesh.points) rest_.emplace_back((p = place_ * p).cast<float>());
   for (const Vec3& n : pointNormals(shapes_.mesh)) normals_.emplace_back(n.cast<float>());
   const Lattice& lattice = organ.rest.lattice;
-  for (const Vec3& anchor : shapes_.anchors) {
-    const Vec3 at = place_ * anchor;
+  for (Vec3& at : shapes_.anchors) {
+    at = place_ * at;
     std::vector<std::pair<double, std::int64_t>> near;  // squared distance, cell
     for (std::int64_t i = 0; i < std::int64_t(organ.rest.inside.size()); ++i)
       if (organ.rest.inside[std::size_t(i)])
@@ -62,6 +93,17 @@ void Adnexa::begin(const OperatedOrgan& operated) {
       sum += holder.weights.back();
     }
     for (double& weight : holder.weights) weight /= sum;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Vec3i cell = lattice.cell(holder.particles[k]);
+      TissueBond& bond = holder.bonds.emplace_back();
+      for (std::size_t j = 0; j < k && bond.cell < 0; ++j)
+        if (const Vec3i step = cell - lattice.cell(holder.particles[j]);
+            step.cwiseAbs().maxCoeff() == 1)
+          bond = {holder.particles[j], directionTo(step)};
+    }
+    // The last anchor is not of the ligament.
+    if (holders_.size() > 1 && holders_.size() < shapes_.anchors.size())
+      holder.before = bondsBetween(lattice, *(&at - 1), at);
   }
 }
 
@@ -71,18 +113,27 @@ std::vector<Adnexa::Motion> Adnexa::motionsIn(const OperatedOrgan& operated) con
   std::vector<Motion> motions;
   for (const Holder& holder : holders_) {
     Motion& motion = motions.emplace_back();
-    double sum = 0;
+    double sum = 0, left = 0;
+    std::vector<bool> beyond(holder.particles.size());  // beyond a cut
     for (std::size_t k = 0; k < holder.particles.size(); ++k) {
       const std::int64_t i = holder.particles[k];
       if (!operated.organ.alive[std::size_t(i)]) continue;
+      left += holder.weights[k];
+      if (const TissueBond& bond = holder.bonds[k]; bond.cell >= 0) {
+        const auto from = std::ranges::find(holder.particles, bond.cell);
+        beyond[k] = beyond[std::size_t(from - holder.particles.begin())] || severed(operated, bond);
+      }
+      if (beyond[k]) continue;
       const Vec3 centre = lattice.centre(lattice.cell(i));
       const Mat3 f = operated.tissue->deformation(i);
       motion.map += holder.weights[k] * f;
       motion.offset += holder.weights[k] * (centre + operated.tissue->displacement(i) - f * centre);
       sum += holder.weights[k];
     }
-    motion.held = sum >= kLeast;
+    motion.held = left >= kLeast && sum > 0;
     if (motion.held) motion.map /= sum, motion.offset /= sum;
+    motion.cut = std::ranges::any_of(
+        holder.before, [&](const TissueBond& bond) { return severed(operated, bond); });
   }
   return motions;
 }
@@ -107,15 +158,18 @@ std::shared_ptr<const SurfaceCopy> Adnexa::follow(const Simulation& simulation) 
     Vec3 p = shapes_.mesh.points[i];
     if (int(shapes_.look[i]) == int(AdnexaLook::Ligament))
       p = shapes_.anchors[number] + left[number] * (p - shapes_.anchors[number]);
-    now->points.emplace_back((m * (place_ * p) + motion.offset).cast<float>());
+    now->points.emplace_back((m * p + motion.offset).cast<float>());
     // Normals turn by the cofactors of the map, which are its inverse transpose times its volume.
     Mat3 cofactors;
     cofactors << m.col(1).cross(m.col(2)), m.col(2).cross(m.col(0)), m.col(0).cross(m.col(1));
-    const Vec3 normal = cofactors * (place_.rotation * normals_[i].cast<double>());
+    const Vec3 normal = cofactors * normals_[i].cast<double>();
     now->normals.emplace_back(normal.normalized().cast<float>());
   }
   for (const Triangle& t : shapes_.mesh.triangles) {
-    bool whole = true;
+    const auto [first, last] =
+        std::minmax({shapes_.anchor[std::size_t(t[0])], shapes_.anchor[std::size_t(t[1])],
+                     shapes_.anchor[std::size_t(t[2])]});
+    bool whole = first == last || !motions_[std::size_t(last)].cut;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto a = std::size_t(t[k]), b = std::size_t(t[(k + 1) % 3]);
       const float most = kStretches * (rest_[a] - rest_[b]).norm() + kAlways;

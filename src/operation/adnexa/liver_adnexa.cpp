@@ -19,7 +19,7 @@ constexpr double kPlane = 0.056;                       // m: x of the plane
 const Vec3 kMiddle(kPlane, -0.005, 0.02);              // m: inside the liver
 constexpr double kFromAngle = -0.62, kToAngle = 1.75;  // rad: from +Z towards +Y, round kMiddle
 constexpr int kAnchors = 96, kAcross = 6;              // points along the line, and up the fold
-constexpr double kHeight = 0.013;                      // m: mean height of the fold
+constexpr double kHeight = 0.0075;                     // m: mean height of the fold
 constexpr double kSunk = 0.0015;                       // m: its base lies in the liver
 
 void add(LiverAdnexa& to, AdnexaLook look, double fraction, std::size_t anchor, const Vec3& point) {
@@ -85,14 +85,15 @@ void addFalciform(LiverAdnexa& to) {
     before = at;
     const Vec3 up = outwards(at);
     to.anchors.push_back(at - 0.004 * up);
-    // Highest in front, lower towards the dome; the fold lies over to the left.
+    // Highest in front, lower towards the dome; the fold lies over to the left, here more and there
+    // less. Its edge was cut by scissors, and is uneven.
     constexpr double kFades = 0.2;  // share of the line, at the dome
     const double fading = std::min(1.0, (1 - share) / kFades);
-    const double height =
-        kHeight * fading * (1.2 - 0.7 * share) * (1 + 0.22 * wave(along / 0.016)) + kSunk;
+    const double uneven = 1 + 0.26 * wave(along / 0.016) + 0.14 * wave(along / 0.0045 + 3);
+    const double height = kHeight * fading * (1.2 - 0.7 * share) * uneven + kSunk;
     for (int j = 0; j < kAcross; ++j) {
       const double t = double(j) / (kAcross - 1);
-      const double aside = height * (0.55 * t * t + 0.35 * t * wave(along / 0.011 + 5));
+      const double aside = height * (0.6 * t * t + 0.7 * t * wave(along / 0.009 + 5));
       add(to, AdnexaLook::Ligament, t, std::size_t(i),
           at + (height * t * (1 - 0.25 * t) - kSunk) * up + aside * Vec3::UnitX());
     }
