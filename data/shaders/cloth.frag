@@ -17,8 +17,8 @@ void main() {
   vec3 t = a.y > 0.6 ? vec3(0.0, 0.0, 1.0) : vec3(0.0, 1.0, 0.0);
   vec3 folds = noise2(q * vec2(7.0, 5.0)), creases = noise2(q.yx * vec2(23.0, 31.0) + 4.0);
 
-  // Threads every 0.9 mm; where a pixel is wider they become a tone.
-  vec2 thread = q * 1100.0, wide = fwidth(thread);
+  // Threads every 0.5 mm; where a pixel is wider they become a tone.
+  vec2 thread = q * 2000.0, wide = fwidth(thread);
   float seen = 1.0 - smoothstep(0.07, 0.20, max(wide.x, wide.y));
   vec2 wave = sin(3.14159 * thread);
   float weave = seen * wave.x * wave.y;
@@ -34,7 +34,7 @@ void main() {
   vec3 dye = fromScreen(baseColor);
   vec3 grey = vec3(dot(dye, vec3(0.2126, 0.7152, 0.0722)));
   dye = dye.b > dye.g ? 0.32 * mix(grey, dye, 0.50) : 0.46 * mix(grey, dye, 0.66);
-  vec3 albedo = dye * (1.0 + 0.22 * weave + 0.05 * creases.x);
+  vec3 albedo = dye * (1.0 + 0.14 * weave + 0.05 * creases.x);
   // Blood soaks into the cloth, which draws its border out along the threads, and stands on it where
   // it is deep: dark and glossy, with a rounded border.
   float depth = 0.0;

@@ -1,7 +1,8 @@
 // The light of the operating room, shared by all materials: two surgical lamps, the dim room round
 // them, shadow, openness to the room, and the way from radiance to a picture. Space: world, m.
 // gl_LightSource[0] is the main lamp, [1] the second one; both are spot lights. [2] is the lamp at the
-// eye: of a surgeon's head, or of a laparoscope; its cut-off angle is that of the beam.
+// eye: of a surgeon's head, or of a laparoscope; its cut-off angle is that of the beam, its exponent how
+// steeply it falls off with distance, 0 to 128.
 
 uniform sampler2DShadow lampShadow;  // see SoShadowMaps
 uniform sampler2D shadowGrid;
@@ -114,7 +115,8 @@ float offBeam(vec3 eyePoint) {
 // Irradiance of the lamp at the eye: it throws no shadow that the eye could see, falls off with
 // distance and towards the border of its beam.
 vec3 headLight(vec3 eyePoint) {
-  return gl_LightSource[2].diffuse.rgb * kHead * exp(-0.84 * offBeam(eyePoint)) / (dot(eyePoint, eyePoint) + 0.20);
+  float wide = mix(0.20, 0.03, gl_LightSource[2].spotExponent / 128.0);  // m^2
+  return gl_LightSource[2].diffuse.rgb * kHead * exp(-0.84 * offBeam(eyePoint)) / (dot(eyePoint, eyePoint) + wide);
 }
 
 // Irradiance of lamp `which` on a surface that faces it, without shadow: a pool of light, bright over

@@ -48,7 +48,7 @@ vec3 parenchymaColour(Patterns at, vec4 lobule, float seen, vec4 grain, vec3 p) 
   vec3 inside = vec3(0.080, 0.0175, 0.0130) * (1.0 + 0.10 * at.broad.x + 0.10 * at.middle.x);
   // Lobules: each of its own shade, in a darker net, with a dark vein in the middle.
   float off = length(lobule.xyz);
-  inside = mix(inside, vec3(0.118, 0.030, 0.021), 0.70 * mix(0.5, smoothstep(-0.5, 0.6, at.fine.x + 0.3 * grain.x) * smoothstep(0.12, 0.30, off), seen));
+  inside = mix(inside, vec3(0.106, 0.0260, 0.0185), 0.70 * mix(0.5, smoothstep(-0.5, 0.6, at.fine.x + 0.3 * grain.x) * smoothstep(0.12, 0.30, off), seen));
   inside = mix(inside, vec3(0.046, 0.0055, 0.0055), 0.36 * mix(0.25, lobule.w, seen));
   inside = mix(inside, vec3(0.060, 0.0080, 0.0070), 0.6 * seen * (1.0 - smoothstep(0.06, 0.16, off)));
   return vesselBin > 0.0 ? inside : withCurves(inside, at, p);
@@ -121,12 +121,12 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base, vec3 n) {
     float rough = 0.6 * at.middle.x + 0.5 * at.fine.x;
     float tan_ = smoothstep(0.12, 0.70, heat.x + 0.28 * rough), edge = smoothstep(0.0, 0.30, heat.x + 0.10 * rough) * (1.0 - tan_);
     float crust = smoothstep(0.55, 0.95, heat.x) * smoothstep(0.05, 0.45, at.middle.x - 0.6 * at.fine.x);
-    float brown = smoothstep(0.02, 0.30, heat.y * (1.0 + 0.8 * rough)), char_ = smoothstep(0.45, 0.75, heat.y * (1.0 + 0.3 * rough));
+    float brown = smoothstep(0.02, 0.30, heat.y * (1.0 + 0.8 * rough)), char_ = smoothstep(0.22, 0.50, heat.y * (1.0 + 0.5 * rough));
     t.albedo = mix(t.albedo, vec3(0.090, 0.046, 0.033), 0.75 * edge);
     t.albedo = mix(t.albedo, vec3(0.086, 0.071, 0.057) * (1.0 + 0.30 * rough), 0.96 * tan_);
     t.albedo = mix(t.albedo, vec3(0.048, 0.026, 0.016) * (1.0 + 0.4 * at.fine.x), 0.85 * crust);
-    t.albedo = mix(t.albedo, vec3(0.040, 0.021, 0.013) * (1.0 + 0.4 * at.fine.x), 0.9 * brown);
-    t.albedo = mix(t.albedo, vec3(0.012, 0.010, 0.009), char_);
+    t.albedo = mix(t.albedo, vec3(0.034, 0.017, 0.010) * (1.0 + 0.4 * at.fine.x), 0.9 * brown);
+    t.albedo = mix(t.albedo, vec3(0.0075, 0.0062, 0.0055), char_);
     t.wet *= 1.0 - 0.9 * tan_;
     t.lost += 0.10 * tan_;
     t.bumps += (0.05 * tan_ + 0.05 * char_) * at.fine.yzw + 0.03 * tan_ * at.middle.yzw;

@@ -54,8 +54,8 @@ vec3 adnexa(vec3 n0, vec3 p, float wide) {
     // A thin membrane, through which the liver is seen the more the less it stands edgewise.
     vec3 capsule = vec3(0.072, 0.019, 0.016);
     float edgewise = 1.0 - abs(dot(normalize(gl_NormalMatrix * n0), normalize(eyePosition)));
-    vec3 membrane = vec3(0.175, 0.108, 0.086) * (1.0 + 0.15 * broad.x + 0.08 * middle.x);
-    t.albedo = mix(capsule, membrane, clamp(0.30 + 0.45 * edgewise * edgewise + 0.22 * middle.x + 0.20 * smoothstep(0.75, 0.95, share), 0.0, 1.0));
+    vec3 membrane = vec3(0.150, 0.084, 0.066) * (1.0 + 0.15 * broad.x + 0.08 * middle.x);
+    t.albedo = mix(capsule, membrane, clamp(0.14 + 0.50 * edgewise * edgewise + 0.20 * middle.x + 0.16 * smoothstep(0.75, 0.95, share), 0.0, 1.0));
     float fat = (1.0 - smoothstep(0.05, 0.55, share + 0.30 * middle.x)) * smoothstep(0.0, 0.4, broad.x);
     t.albedo = mix(t.albedo, vec3(0.160, 0.090, 0.036), 0.70 * fat);
     t.albedo = mix(t.albedo, vec3(0.095, 0.016, 0.013), 0.35 * branches);

@@ -46,10 +46,10 @@ Vessel vesselAt(vec3 p) {
 }
 
 vec3 wallColour(float kind) {
-  if (kind < 0.5) return vec3(0.30, 0.17, 0.125);  // portal vein, in its pale sheath
+  if (kind < 0.5) return vec3(0.25, 0.138, 0.104);  // portal vein, in its pale sheath
   if (kind < 1.5) return vec3(0.20, 0.070, 0.062);
-  if (kind < 2.5) return vec3(0.36, 0.18, 0.14);
-  return vec3(0.25, 0.195, 0.06);
+  if (kind < 2.5) return vec3(0.27, 0.135, 0.105);
+  return vec3(0.170, 0.130, 0.066);
 }
 
 vec3 lumenColour(float kind) {

@@ -33,14 +33,16 @@ float fineVessels(vec3 p, float perMetre, float wide, float some) {
 // Blood of the pool, deepest in the grooves. point: world, m.
 void flood(inout Scenery t, vec3 point) {
   // The pool is one of centimetres; its border is drawn out.
-  vec3 broad = noise2(point.xz * 60.0), small = noise2(point.zx * 210.0);
-  vec3 wave = noise2(point.zx * 22.0 + 3.0);
-  vec2 drawn = 0.009 * vec2(broad.x, noise2(point.xz * 60.0 + 7.0).x) + 0.014 * vec2(wave.x, wave.y) + 0.002 * small.x;
+  vec2 q = mat2(0.80, 0.60, -0.60, 0.80) * point.xz;  // so that no lattice of the noise shows
+  vec3 wave = noise2(q.yx * 22.0 + 3.0), broad = noise2(mat2(0.6, 0.8, -0.8, 0.6) * q * 66.0);
+  vec3 small = noise2(q * 230.0) + 0.5 * noise2(mat2(0.6, 0.8, -0.8, 0.6) * q * 520.0);
+  vec2 drawn = 0.007 * vec2(broad.x, noise2(q * 60.0 + 7.0).x) + 0.014 * vec2(wave.x, wave.y) + 0.0025 * small.x;
   float depth = 5.0 * texture2D(pool, point.xz + 0.5 + drawn).r;
   if (depth < 0.01) return;
   depth *= 1.6 - 1.4 * smoothstep(-0.008, 0.006, point.y + 0.0015 * small.x);
-  depth *= 1.0 - smoothstep(0.006, 0.024, point.y + 0.006 * broad.x + 0.002 * small.x);
-  depth = max(depth - 0.04 * (1.0 + small.x), 0.0);
+  // What bulges out of it is wetted in smears.
+  depth *= 1.0 - smoothstep(0.008, 0.017, point.y + 0.007 * broad.x + 0.0035 * small.x);
+  depth = max(depth - 0.05 * (1.0 + small.x), 0.0);
   t.albedo = underBlood(t.albedo, vec2(0.5 * depth, 0.0));
   float covered = smoothstep(0.05, 0.6, depth);
   t.bumps *= 1.0 - 0.8 * covered;

@@ -162,8 +162,9 @@ void OperatingRoom::setLights(RoomView view) {
   fieldWall_->whichChild = scope ? SO_SWITCH_NONE : SO_SWITCH_ALL;
   lamps_[0]->intensity = scope ? 0.03f : 1.0f;
   lamps_[1]->intensity = scope ? 0.015f : 0.28f;
-  head_->intensity = scope ? 0.42f : 0.25f;
-  head_->cutOffAngle = scope ? 0.75f : 0.389f;
+  head_->intensity = scope ? 0.18f : 0.25f;
+  head_->cutOffAngle = scope ? 0.52f : 0.389f;
+  head_->dropOffRate = scope ? 1.0f : 0.0f;
   updateHands();
 }
 

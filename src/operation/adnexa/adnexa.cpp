@@ -62,7 +62,7 @@ std::vector<double> Adnexa::heights() const {
     if (motion.held) continue;
     for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(0, i - kSlopes);
          k <= std::min(rows - 1, i + kSlopes); ++k)
-      lower(k, double(std::abs(k - i)) / (kSlopes + 1));
+      lower(k, std::sqrt(double(std::abs(k - i)) / (kSlopes + 1)));
   }
   return left;
 }

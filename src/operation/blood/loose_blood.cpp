@@ -8,12 +8,12 @@ namespace resect {
 namespace {
 
 // A drop of the simulation stands for a piece of a jet, which breaks up in the air: it is seen as
-// droplets along the way that it makes in kExposure, about kApart from each other, and up to kAside
-// beside the way.
+// a streak of droplets along the way that it makes in kExposure, about kApart from each other, and
+// up to kAside beside the way.
 constexpr double kExposure = 1.0 / 60;  // s
-constexpr double kApart = 0.002;        // m
-constexpr double kAside = 0.0015;       // m
-constexpr int kMostPoints = 60;         // of one drop
+constexpr double kApart = 0.0007;       // m
+constexpr double kAside = 0.00025;      // m
+constexpr int kMostPoints = 80;         // of one drop
 
 }  // namespace
 

@@ -9,12 +9,12 @@ from field.sheet import Sheet, mix
 from shapes.loft import circle, smoothstep, through
 from shapes.vector import add, cross, scale, subtract, unit
 
-OMENTUM = (0.88, 0.68, 0.46)
-OMENTUM_GROOVE = (0.70, 0.33, 0.20)
-BED = (0.62, 0.28, 0.23)  # peritoneum behind the liver
-DIAPHRAGM = (0.52, 0.20, 0.17)
+OMENTUM = (0.88, 0.70, 0.47)
+OMENTUM_GROOVE = (0.76, 0.47, 0.28)
+BED = (0.66, 0.40, 0.35)  # peritoneum behind the liver
+DIAPHRAGM = (0.56, 0.29, 0.26)
 TENDON = (0.74, 0.56, 0.48)
-COLON = (0.74, 0.50, 0.43)
+COLON = (0.80, 0.59, 0.53)
 TAENIA = (0.84, 0.68, 0.58)
 STOMACH = (0.88, 0.68, 0.61)
 WALL = 0.036  # thickness of the abdominal wall, as in wall.SECTION

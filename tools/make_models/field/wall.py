@@ -10,9 +10,9 @@ from shapes.loft import smoothstep
 COLUMNS = 120
 SKIN = (0.74, 0.56, 0.45)  # painted with iodine
 FAT = (0.88, 0.69, 0.46)
-FAT_GROOVE = (0.70, 0.36, 0.22)
+FAT_GROOVE = (0.74, 0.45, 0.28)
 MUSCLE = (0.66, 0.25, 0.20)
-PERITONEUM = (0.66, 0.34, 0.29)
+PERITONEUM = (0.70, 0.45, 0.40)
 DRAPE = (0.10, 0.36, 0.30)
 
 # The wound's edge from the skin inwards: (metres outside the rim, metres below the skin, layer).
