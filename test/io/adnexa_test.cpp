@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <string>
 
+#include "collision/swept_blade.h"
 #include "io/operation_setup.h"
 #include "io/plain_mesh.h"
 #include "io/scenario/scenario_file.h"
@@ -106,6 +107,42 @@ TEST_CASE("adnexa whose tissue is removed are no longer drawn") {
   const auto after = adnexa.follow(simulation);
   CHECK(holes(*after) > 20);
   CHECK(holes(*after) < int(after->triangles.size()) / 2);
+}
+
+TEST_CASE("a stroke through the liver cuts the ligament that crosses its way, and nothing else") {
+  constexpr std::size_t kAcross = 6;  // points from the liver to the edge of the fold
+  for (const std::string& organ : {kVessels, kTurned}) {
+    Scenario scenario = liver(organ);
+    Simulation simulation = makeSimulation(scenario, readPlainMesh);
+    simulation.keepLook();
+    Adnexa adnexa;
+    const auto before = adnexa.follow(simulation);
+    REQUIRE(before);
+    const auto point = [&](std::size_t row, std::size_t up) {
+      REQUIRE(int(before->cut[row * kAcross + up]) == int(AdnexaLook::Ligament));
+      return Vec3(before->rest[row * kAcross + up].cast<double>());
+    };
+    const Vec3 at = 0.5 * (point(40, 0) + point(41, 0)), up = (point(40, 5) - at).normalized();
+    const Vec3 across = (point(44, 0) - point(37, 0)).cross(up).normalized();
+    const auto stroke = [&](double depth) {
+      const Vec3 high[] = {at + 0.02 * up - 0.02 * across, at + 0.02 * up + 0.02 * across};
+      const Vec3 low[] = {high[0] - (0.02 + depth) * up, high[1] - (0.02 + depth) * up};
+      step(simulation, 1, {{0, -1, Incision{ruledBlade(high, low)}}});
+      return adnexa.follow(simulation);
+    };
+    CHECK(holes(*stroke(-0.002)) == 0);  // it does not reach the liver
+    const auto after = stroke(0.03);
+    // A few rows at most, and one at least, from the liver to the edge.
+    CHECK(holes(*after) >= 2 * int(kAcross - 1));
+    CHECK(holes(*after) <= 10 * int(kAcross - 1));
+    for (std::size_t t = 0; t < after->triangles.size(); ++t)
+      if (after->triangles[t] == Triangle{0, 0, 0})
+        CHECK((before->rest[std::size_t(before->triangles[t][0])].cast<double>() - at).norm() <
+              0.03);
+    // On both sides the rest of the fold still stands on the liver.
+    step(simulation, 20);
+    CHECK(ligamentOff(simulation, *adnexa.follow(simulation)) < 0.010);
+  }
 }
 
 TEST_CASE("only the built-in liver has adnexa, and its place is found however it lies") {

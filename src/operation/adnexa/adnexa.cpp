@@ -23,15 +23,16 @@ constexpr float kStretches = 2.2f, kAlways = 1e-3f;  // times at rest, plus m
 constexpr int kSlopes = 5;
 constexpr double kBesideCut = 0.6;  // share of the height
 
-// The bonds along a straight line between two points in tissue at rest.
-std::vector<TissueBond> bondsBetween(const Lattice& lattice, const Vec3& from, const Vec3& to) {
+// The bonds along the straight line between two cells.
+std::vector<TissueBond> bondsBetween(const Lattice& lattice, std::int64_t from, std::int64_t to) {
   std::vector<TissueBond> bonds;
-  const int steps = 1 + int(4 * (to - from).norm() / lattice.spacing.minCoeff());
-  std::optional<Vec3i> before = lattice.cellAt(from);
+  const Vec3i start = lattice.cell(from), way = lattice.cell(to) - start;
+  const int steps = way.cwiseAbs().maxCoeff();
+  Vec3i before = start;
   for (int i = 1; i <= steps; ++i) {
-    const std::optional<Vec3i> cell = lattice.cellAt(from + (to - from) * (double(i) / steps));
-    if (cell && before && *cell != *before)
-      bonds.push_back({lattice.index(*before), directionTo(*cell - *before)});
+    const Vec3i cell =
+        start + (way.cast<double>() * i / steps).array().round().matrix().cast<int>();
+    bonds.push_back({lattice.index(before), directionTo(cell - before)});
     before = cell;
   }
   return bonds;
@@ -103,7 +104,8 @@ void Adnexa::begin(const OperatedOrgan& operated) {
     }
     // The last anchor is not of the ligament.
     if (holders_.size() > 1 && holders_.size() < shapes_.anchors.size())
-      holder.before = bondsBetween(lattice, *(&at - 1), at);
+      holder.before =
+          bondsBetween(lattice, holders_[holders_.size() - 2].particles[0], holder.particles[0]);
   }
 }
 
