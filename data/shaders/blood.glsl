@@ -42,13 +42,15 @@ vec2 heatAt(vec3 rest) {
 // surfaces have the longest rivulets.
 vec2 bloodAt(vec3 rest, float rough, vec3 n) {
   if (bloodPerMetre.x == 0.0) return vec2(0.0);
-  vec2 thick = 2.0 * texture3D(bloodMap, (rest - bloodLow) * bloodPerMetre).ra;
+  // Looked up a few millimetres aside, so that borders do not follow the cells.
+  vec3 aside = 0.0022 * noise(rest * 95.0 + 2.0).yzw + 0.0006 * noise(rest.zxy * 310.0).yzw;
+  vec2 thick = 2.0 * texture3D(bloodMap, (rest + aside - bloodLow) * bloodPerMetre).ra;
   if (thick.x + thick.y == 0.0) return thick;
   float steep = sqrt(max(1.0 - n.y * n.y, 0.0));
   float stream = mix(streaks(rest.zy), streaks(rest.xy), smoothstep(-0.4, 0.4, abs(n.z) - abs(n.x)));
   const float kRivulet = 0.8;  // mm thick
-  float covered = thick.x / kRivulet, from = mix(0.55, -0.85, covered);
-  float rivulet = kRivulet * smoothstep(from - 0.15, from + 0.60, stream) + 0.05 * smoothstep(0.02, 0.3, covered);
+  float covered = thick.x / kRivulet, from = mix(0.50, -1.05, covered);
+  float rivulet = kRivulet * smoothstep(from - 0.15, from + 0.60, stream) + 0.10 * smoothstep(0.04, 0.40, covered);
   thick.x = mix(thick.x, rivulet, smoothstep(0.20, 0.5, steep) * (1.0 - smoothstep(0.8, 1.2, covered)));
   // Between cells thickness falls off in straight lines; a border that starts where the noise has it hides them.
   // On a slope it is drawn out into tongues.

@@ -2,5 +2,5 @@
 void main() {
   vec2 q = 2.0 * gl_PointCoord - 1.0;
   if (dot(q, q) > 1.0) discard;
-  gl_FragColor = vec4(0.36, 0.022, 0.022, 1.0);
+  gl_FragColor = vec4(0.46, 0.035, 0.032, 1.0);
 }

@@ -182,6 +182,20 @@ void MainWindow::sayHowThePatientIs(const LiveState& state) {
   clampSaid_ = state.inflowClamped;
 }
 
+// In the panel; and that an instrument which was left at work holds nothing is told once.
+void MainWindow::sayWhatHolds() {
+  std::vector<LeftTool> left;
+  for (int i = 0; i < session_->tools().toolCount(); ++i) {
+    left.push_back(leftTool(*session_, i));
+    const auto k = std::size_t(i);
+    if (left[k] == LeftTool::TouchesNothing && leftTools_[k] != LeftTool::TouchesNothing)
+      tell(Words::tr("%1 holds nothing: it slipped off, or met no tissue. Take it again.")
+               .arg(translated(session_->toolModels()[k].name)));
+  }
+  leftTools_ = std::move(left);
+  instruments_->show(heldSaid_, leftTools_);
+}
+
 // In the line below the picture.
 void MainWindow::tell(const QString& sentence) {
   if (sentence.isEmpty()) return;
@@ -221,9 +235,7 @@ void MainWindow::tick() {
     if (options_.reports) say("left{}", names.empty() ? " nothing" : names);
   }
   const LiveState& state = session_->state();
-  std::vector<LeftTool> left;
-  for (int i = 0; i < tools.toolCount(); ++i) left.push_back(leftTool(*session_, i));
-  instruments_->show(heldSaid_, left);
+  sayWhatHolds();
   speaker_.follow(state, session_->toolModels(), tools.pedalling() ? tools.held() : -1);
   if (options_.reports && state.removed != removedSaid_) {
     removedSaid_ = state.removed;
@@ -281,6 +293,12 @@ QString MainWindow::heldName() const {
 bool MainWindow::viewerEvent(const SoEvent& event, const SbViewportRegion& viewport) {
   if (overlay_->isVisible() && isPress(event)) overlay_->hide();
   complaint_->userWentOn();
+  // A hand that was about to work when the exercise ended begins no new branch.
+  constexpr qint64 kSeesTheEnd = 1500;  // ms
+  if (attempt_ && attemptEnded_ && isPress(event) &&
+      event.isOfType(SoMouseButtonEvent::getClassTypeId()) &&
+      QDateTime::currentMSecsSinceEpoch() - attemptEndedAt_ < kSeesTheEnd)
+    return true;
   // Out of the past, not the instrument into the tool box.
   if (session_ && session_->showing() && !timeline_->atEnd() && isPress(event) &&
       event.isOfType(SoKeyboardEvent::getClassTypeId()) &&

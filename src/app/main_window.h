@@ -11,6 +11,7 @@
 #include "app/loading/organ_loader.h"
 #include "app/sound/speaker.h"
 #include "app/space_mouse.h"
+#include "app/widgets/instruments_panel.h"
 #include "app/window.h"
 #include "formats/video.h"
 #include "inventor/hand/operating_session.h"
@@ -33,7 +34,6 @@ class ExercisePanel;
 class ExercisesPage;
 class ForcePanel;
 class HintBar;
-class InstrumentsPanel;
 class OperationPanel;
 class OrganPanel;
 class TaskMakerPanel;
@@ -97,6 +97,7 @@ class MainWindow : public QMainWindow {
   void keepTime();
   void sayWhatIsClosed(const LiveState& state);
   void sayHowThePatientIs(const LiveState& state);
+  void sayWhatHolds();
   void tell(const QString& sentence);
   void followPanels(const LiveState& state, qint64 now);
   bool begin(OrganLoader::Result result);  // false: cannot be shown; the user was told
@@ -226,6 +227,7 @@ class MainWindow : public QMainWindow {
   bool marking_ = false;                  // the next click marks a place
   std::shared_ptr<LiveAttempt> attempt_;  // attempt at the last exercise; null: none
   bool attemptEnded_ = false;
+  qint64 attemptEndedAt_ = 0;   // ms since 1970
   bool afterExercise_ = false;  // somebody goes on operating after an exercise
   bool waitsForHand_ = false;   // no instrument was taken yet, so the time has not started
   std::vector<HaemostasisWatch> haemostasis_;  // one per instrument that closes vessels
@@ -249,6 +251,7 @@ class MainWindow : public QMainWindow {
   int heldSaid_ = -2;               // number of the tool in hand; -1: none; -2: nothing said yet
   ToolHandling::Hold howSaid_ = ToolHandling::Hold::None;
   std::vector<std::uint8_t> leftSaid_;  // per tool, as ToolHandling::left()
+  std::vector<LeftTool> leftTools_;     // per tool, at the last tick
   std::string script_, faultSaid_, recorderSaid_;
   qint64 faultSeen_ = 0;       // last time the operation had a fault, ms since 1970
   std::string operationFile_;  // file where the user saved the operation; empty: none yet

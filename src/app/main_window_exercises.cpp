@@ -256,6 +256,7 @@ void MainWindow::endExerciseUnscored() {
 void MainWindow::endExercise(const std::string& why, std::optional<double> end) {
   if (!exercising()) return;
   attemptEnded_ = true;  // the guide stays, for what is looked at again
+  attemptEndedAt_ = QDateTime::currentMSecsSinceEpoch();
   session_->setGhosts(false);
   if (options_.reports) say("exercise ended: {}", why);
   try {
@@ -386,7 +387,8 @@ void MainWindow::tabulateClass(bool names) {
 void MainWindow::openPage(const std::filesystem::path& page) {
   if (options_.reports) return say("open {}", page.string());
   if (QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(page.string())))) {
-    const QString sentence = Words::tr("The browser opens %1").arg(shown(page.string()));
+    const QString sentence =
+        Words::tr("A browser should show it now; the file is %1").arg(shown(page.string()));
     statusBar()->showMessage(sentence, 15000);
     if (exercises_->isVisible()) exercises_->say(sentence);
   } else

@@ -212,6 +212,7 @@ bool MainWindow::begin(OrganLoader::Result result) {
     if (const ToolModel& tool = session_->toolModels()[i]; HaemostasisWatch::watches(tool))
       haemostasis_.emplace_back(int(i), tool);
   leftSaid_.assign(session_->toolModels().size(), 0);
+  leftTools_.assign(session_->toolModels().size(), LeftTool::No);
   removedSaid_ = 0;
   uploadedSaid_ = 0;
   removed_->clear();
@@ -223,7 +224,10 @@ bool MainWindow::begin(OrganLoader::Result result) {
   timeline_->begin(tools, session_->scenario().frameRate);
   force_->begin(tools);
   QString notes;
-  for (const std::string& note : result.notes) notes += translated(note, kLongestSentence) + "\n";
+  for (const std::string& note : result.notes) {
+    const QString text = translated(note, kLongestSentence);
+    notes += text.left(1).toUpper() + text.mid(1) + ".\n";
+  }
   operation_->begin(session_->scenario(), notes.trimmed(), tools);
   beginExercise();
   const bool thesis = session_->scenario().mode == OperationMode::Thesis;

@@ -274,16 +274,19 @@ QString MainWindow::nextStep() const {
   QString howLongClosed;
   for (const HaemostasisWatch& watch : haemostasis_)
     if (watch.tool() == tools.held()) howLongClosed = watch.howLongClosed(session_->state());
+  const std::string kind =
+      tools.held() < 0 ? "" : session_->toolModels()[std::size_t(tools.held())].kind;
+  const bool deep = kind != "inflow_clamp" && kind != "suction";  // its depth matters
   const QString depth =
-      tools.how() == ToolHandling::Hold::Guided
-          ? tools.surfaceHand() && tools.surfaceHand()->target
-                ? Words::tr("at the white ring")
-                : (tools.isLeastDeep(tools.held())
-                       ? Words::tr("%1 mm deep, the least for cells of this size (wheel)")
-                   : tools.isMostDeep(tools.held())
-                       ? Words::tr("%1 mm deep, the most for this instrument (wheel)")
-                       : Words::tr("%1 mm deep (wheel)"))
-                      .arg(std::lround(1e3 * tools.depth(tools.held())))
+      tools.how() == ToolHandling::Hold::Guided && deep
+          ? ", " + (tools.surfaceHand() && tools.surfaceHand()->target
+                        ? Words::tr("at the white ring")
+                        : (tools.isLeastDeep(tools.held())
+                               ? Words::tr("%1 mm deep, the least for cells of this size (wheel)")
+                           : tools.isMostDeep(tools.held())
+                               ? Words::tr("%1 mm deep, the most for this instrument (wheel)")
+                               : Words::tr("%1 mm deep (wheel)"))
+                              .arg(std::lround(1e3 * tools.depth(tools.held()))))
           : QString();
   const SurfaceHand* hand = tools.surfaceHand();
   const bool cuts = hand && hand->style.entersSlowly && hand->stroke >= kShortestTold;
@@ -306,12 +309,9 @@ QString MainWindow::nextStep() const {
               .arg(name);
     case ToolHandling::Hold::Guided:
       if (tools.pressing())
-        return Words::tr("%1 at work, %2; F leaves it there.")
+        return Words::tr("%1 at work%2; F leaves it there.")
             .arg(name, depth + length + howLongClosed);
-      return Words::tr("%1: %2, %3.")
-          .arg(name,
-               useOf(session_->toolModels()[std::size_t(tools.held())].kind, session_->state()),
-               depth + length);
+      return Words::tr("%1: %2%3.").arg(name, useOf(kind, session_->state()), depth + length);
     case ToolHandling::Hold::HandleBox:
       return Words::tr("%1 in a handle box: drag it to move it; middle click to turn it.")
           .arg(name);

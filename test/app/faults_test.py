@@ -132,6 +132,24 @@ class Faults(ScreenTest):
         hold(0.12)
         self.assertIn("The jaws did not close", window.wait("told", 10))
 
+    def test_that_a_hook_left_at_work_has_slipped_off_is_told(self):
+        window = self.opened("incise", "--spacing", "12mm")
+        self.screen.key("2")
+        window.wait("held Hook", 20)
+        self.screen.move(500, 420)
+        time.sleep(1)
+        self.screen.do("mousedown", 1)
+        time.sleep(0.5)
+        for x in range(500, 240, -10):
+            self.screen.move(x, 420)
+            time.sleep(0.05)
+        self.screen.key("f")
+        self.screen.do("mouseup", 1)
+        self.assertIn("holds nothing", window.wait("told", 20))
+        time.sleep(3)
+        window.drain()
+        self.assertEqual([line for line in window.said if "holds nothing" in line][1:], [])
+
     def test_the_lamp_is_moved_in_the_view_menu(self):
         window = self.opened("press", "--spacing", "12mm")
         time.sleep(2)

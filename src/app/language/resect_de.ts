@@ -2566,10 +2566,6 @@
         <translation>Die Klasse wird bewertet ...</translation>
     </message>
     <message>
-        <source>The browser opens %1</source>
-        <translation>Der Browser öffnet %1</translation>
-    </message>
-    <message>
         <source>Written: %1</source>
         <translation>Geschrieben: %1</translation>
     </message>
@@ -2840,14 +2836,6 @@
     <message>
         <source>%1: drag moves it, the wheel brings it nearer, Shift turns it; Escape puts it back.</source>
         <translation>%1: Ziehen bewegt es, das Mausrad holt es näher, Umschalt dreht es; Esc legt es zurück.</translation>
-    </message>
-    <message>
-        <source>%1 at work, %2; F leaves it there.</source>
-        <translation>%1 arbeitet, %2; F lässt es dort arbeiten.</translation>
-    </message>
-    <message>
-        <source>%1: %2, %3.</source>
-        <translation>%1: %2, %3.</translation>
     </message>
     <message>
         <source>%1 in a handle box: drag it to move it; middle click to turn it.</source>
@@ -3750,10 +3738,6 @@
         <translation>geht dorthin ...</translation>
     </message>
     <message>
-        <source>Looking back: work on to go on from here; End: to the end</source>
-        <translation>Rückblick: arbeiten Sie weiter, um von hier fortzufahren; Ende: ans Ende</translation>
-    </message>
-    <message>
         <source>Paused: take an instrument to go on</source>
         <translation>Angehalten: nehmen Sie ein Instrument, um fortzufahren</translation>
     </message>
@@ -3952,6 +3936,26 @@
     <message>
         <source>Gloved hands hold the instruments in the opened abdomen; they hide what is below them</source>
         <translation>Behandschuhte Hände halten die Instrumente im geöffneten Bauch; sie verdecken, was unter ihnen liegt</translation>
+    </message>
+    <message>
+        <source>%1 holds nothing: it slipped off, or met no tissue. Take it again.</source>
+        <translation>%1 hält nichts: abgerutscht, oder kein Gewebe getroffen. Noch einmal nehmen.</translation>
+    </message>
+    <message>
+        <source>A browser should show it now; the file is %1</source>
+        <translation>Ein Browser sollte sie jetzt zeigen; die Datei ist %1</translation>
+    </message>
+    <message>
+        <source>%1 at work%2; F leaves it there.</source>
+        <translation>%1 arbeitet%2; F lässt es dort.</translation>
+    </message>
+    <message>
+        <source>%1: %2%3.</source>
+        <translation>%1: %2%3.</translation>
+    </message>
+    <message>
+        <source>Looking back (End: to the end)</source>
+        <translation>Rückblick (Ende: zum Ende)</translation>
     </message>
 </context>
 </TS>

@@ -59,8 +59,7 @@ QString gradeText(double bleedingRate) {
                        : grade == 2 ? Words::tr("moderate")
                        : grade == 3 ? Words::tr("severe")
                                     : Words::tr("life-threatening");
-  const bool known = grade == 0 || grade == 4;  // the ends of the scale need no number
-  return known ? name : Words::tr("%1 (%2 of 4)").arg(name).arg(grade);
+  return grade == 0 ? name : Words::tr("%1 (%2 of 4)").arg(name).arg(grade);
 }
 
 OperationPanel::OperationPanel(QWidget* parent)

@@ -282,11 +282,10 @@ void TimelinePanel::describe() {
   play_->setText(speed_ > 0 ? Words::tr("Stop") : Words::tr("Play"));
   play_->setEnabled(showing_ && (speed_ > 0 || frame_ < end_));
   goOn_->setEnabled(showing_);
-  hint_->setText(!showing_     ? QString()
-                 : asked_ >= 0 ? Words::tr("going there ...")
-                 : frame_ < end_
-                     ? Words::tr("Looking back: work on to go on from here; End: to the end")
-                     : Words::tr("Paused: take an instrument to go on"));
+  hint_->setText(!showing_       ? QString()
+                 : asked_ >= 0   ? Words::tr("going there ...")
+                 : frame_ < end_ ? Words::tr("Looking back (End: to the end)")
+                                 : Words::tr("Paused: take an instrument to go on"));
   hint_->setToolTip(hint_->text());
   goOn_->setText(frame_ < end_ ? Words::tr("Go on from here") : Words::tr("Go on"));
   bar_->update();

@@ -156,7 +156,7 @@ std::string vesselSection(const Attempt& attempt) {
     }
     table.rows.push_back({text(v.name),
                           number(fmt::format("{:.1f}", 1e3 * v.diameter)),
-                          number(v.before ? "before" : timeText(v.cut)),
+                          number(v.before ? "before the start" : timeText(v.cut)),
                           {v.clippedRoot ? "yes" : "no", v.clippedRoot ? "kept" : "missed"},
                           text(v.severed ? "through" : "in part"),
                           number(v.closed ? fmt::format("{:.1f} s", *v.closed - v.cut) : "open"),
@@ -184,7 +184,8 @@ std::string ledgerTable(const Attempt& attempt) {
     row("what remains of the organs", 1e6 * end.body, "ml");
     row("pieces that came off", 1e6 * end.pieces, "ml");
     row("destroyed", 1e6 * end.removed, "ml");
-    row("area cut", 1e4 * end.cut, "cm2");
+    if (start.cut > 0) row("area cut before the start", 1e4 * start.cut, "cm2");
+    row("area cut", 1e4 * (end.cut - start.cut), "cm2");
   }
   for (const Specimen& piece : attempt.specimens) row("a piece of", 1e6 * piece.volume, "ml");
   if (attempt.targetBefore > 0) row("target before", 1e6 * attempt.targetBefore, "ml");
