@@ -238,7 +238,7 @@ def control_bleeding_scenario(operator):
                 {"easy": {"blood_loss_ml": 240, "bleeding_s": 120, "total_time_s": 180},
                  "hard": {"blood_loss_ml": 60, "bleeding_s": 30, "total_time_s": 45}},
                 ["suction", "clip_applier", "bipolar", "gauze"],
-                ["Close the vessel at the largest ring with a clip.",
+                ["Close the vessel at the largest ring with a clip: point at the ring until it is white.",
                  "Suck the blood away, or press a swab on it, where it hides the wound.",
                  "Seal what still bleeds with the bipolar forceps."],
                 background=WHY_CONTROL, bands=("lefor-2022",))

@@ -58,7 +58,7 @@
     QT_TRANSLATE_NOOP("data", "Control of a bleeding vessel"),
     QT_TRANSLATE_NOOP("data", "The liver has a wound in which a branch of the portal vein bleeds; it is to be stopped"),
     QT_TRANSLATE_NOOP("data", "Control of a bleeding vessel: clear the wound, close the vessel, then what is left."),
-    QT_TRANSLATE_NOOP("data", "Close the vessel at the largest ring with a clip."),
+    QT_TRANSLATE_NOOP("data", "Close the vessel at the largest ring with a clip: point at the ring until it is white."),
     QT_TRANSLATE_NOOP("data", "Suck the blood away, or press a swab on it, where it hides the wound."),
     QT_TRANSLATE_NOOP("data", "Seal what still bleeds with the bipolar forceps."),
     QT_TRANSLATE_NOOP("data", "Left lateral sectionectomy"),

@@ -456,16 +456,16 @@
         <translation>Legen Sie eine Lebervene von 3 mm mit dem Aspirator frei, verschließen Sie sie mit zwei Clips, und durchtrennen Sie sie dazwischen</translation>
     </message>
     <message>
-        <source>Close the vessel at the largest ring with a clip.</source>
-        <translation>Verschließen Sie das Gefäß am größten Ring mit einem Clip.</translation>
-    </message>
-    <message>
         <source>Suck the blood away, or press a swab on it, where it hides the wound.</source>
         <translation>Saugen Sie das Blut ab, wo es die Wunde verdeckt, oder drücken Sie ein Tuch darauf.</translation>
     </message>
     <message>
         <source>Cut a branch of the portal vein; clear the wound with suction, close the vessel with a clip, seal the rest with bipolar forceps</source>
         <translation>Schneiden Sie einen Ast der Pfortader an; saugen Sie die Wunde frei, verschließen Sie das Gefäß mit einem Clip, den Rest mit der bipolaren Pinzette</translation>
+    </message>
+    <message>
+        <source>Close the vessel at the largest ring with a clip: point at the ring until it is white.</source>
+        <translation>Schließen Sie das Gefäß am größten Ring mit einem Clip: zeigen Sie darauf, bis der Ring weiß ist.</translation>
     </message>
 </context>
 <context>

@@ -6,10 +6,10 @@
 namespace resect {
 namespace {
 
-constexpr double kSmallest = 0.0018, kLargest = 0.005;  // m
-constexpr double kSame = 0.006;          // m: so far tissue may have moved since an end was chosen
-constexpr double kFlowOfLargest = 1e-6;  // m^3/s
-const Vec3f kColour(1.0f, 0.85f, 0.2f);  // is told from blood by colour-blind people too
+constexpr double kSmallest = 0.0018, kLargest = 0.0065;  // m
+constexpr double kSame = 0.006;           // m: so far tissue may have moved since an end was chosen
+constexpr double kFlowOfLargest = 10e-6;  // m^3/s: 600 ml/min
+const Vec3f kColour(1.0f, 0.85f, 0.2f);   // is told from blood by colour-blind people too
 const Vec3f kChosen(1.0f, 1.0f, 1.0f);
 
 }  // namespace
