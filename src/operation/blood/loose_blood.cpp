@@ -8,11 +8,11 @@ namespace resect {
 namespace {
 
 // A drop of the simulation stands for a piece of a jet, which breaks up in the air: it is seen as
-// a streak of droplets along the way that it makes in kExposure, about kApart from each other, and
-// up to kAside beside the way.
+// droplets along the way that it makes in kExposure, about kApart from each other on average: close
+// together at its head, sparse at its tail, where they have strayed from the way by up to kAside.
 constexpr double kExposure = 1.0 / 60;  // s
-constexpr double kApart = 0.0007;       // m
-constexpr double kAside = 0.00025;      // m
+constexpr double kApart = 0.0009;       // m
+constexpr double kAside = 0.0015;       // m
 constexpr int kMostPoints = 80;         // of one drop
 
 }  // namespace
@@ -42,9 +42,10 @@ std::shared_ptr<const LooseBlood> looseBlood(const Bleeding& blood) {
     const Vec3 way = kExposure * drop.velocity;
     const int points = std::min(1 + int(way.norm() / kApart), kMostPoints);
     for (int i = 0; i < points; ++i) {
-      const double back = points == 1 ? 0 : (i + random.uniform()) / points;
+      const double share = (i + random.uniform()) / points, back = share * share;
       const Vec3 aside(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-      loose->drops.push_back((drop.place - back * way + kAside * aside).cast<float>());
+      loose->drops.push_back(
+          (drop.place - (points == 1 ? 0 : back) * way + back * kAside * aside).cast<float>());
     }
   }
   return loose;
