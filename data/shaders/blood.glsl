@@ -39,19 +39,23 @@ vec2 heatAt(vec3 rest) {
 // Thickness of liquid (x) and clotted (y) blood, mm. The map is that of cells, far wider than what
 // runs over a slope: there blood runs in rivulets, thick ones with bare tissue between, the more of them
 // the more blood there is. Borders are broken up by noise (`rough`, -1 to 1). n: normal; upright
-// surfaces have the longest rivulets.
-vec2 bloodAt(vec3 rest, float rough, vec3 n) {
+// surfaces have the longest rivulets. cut: 1 on a cut face, whose grains stand out of all but deep blood.
+vec2 bloodAt(vec3 rest, float rough, vec3 n, float cut) {
   if (bloodPerMetre.x == 0.0) return vec2(0.0);
+  vec2 here = 2.0 * texture3D(bloodMap, (rest - bloodLow) * bloodPerMetre).ra;
+  if (here.x + here.y == 0.0) return vec2(0.0);  // as deferred/mark_rich.frag has it
   // Looked up a few millimetres aside, so that borders do not follow the cells.
   vec3 aside = 0.0022 * noise(rest * 95.0 + 2.0).yzw + 0.0006 * noise(rest.zxy * 310.0).yzw;
   vec2 thick = 2.0 * texture3D(bloodMap, (rest + aside - bloodLow) * bloodPerMetre).ra;
+  thick *= smoothstep(0.0, 0.08, here.x + here.y);
   if (thick.x + thick.y == 0.0) return thick;
   float steep = sqrt(max(1.0 - n.y * n.y, 0.0));
   float stream = mix(streaks(rest.zy), streaks(rest.xy), smoothstep(-0.4, 0.4, abs(n.z) - abs(n.x)));
   const float kRivulet = 0.8;  // mm thick
   float covered = thick.x / kRivulet, from = mix(0.50, -1.05, covered);
   float rivulet = kRivulet * smoothstep(from - 0.15, from + 0.60, stream) + 0.10 * smoothstep(0.04, 0.40, covered);
-  thick.x = mix(thick.x, rivulet, smoothstep(0.20, 0.5, steep) * (1.0 - smoothstep(0.8, 1.2, covered)));
+  thick.x = mix(thick.x, rivulet, (1.0 - cut) * smoothstep(0.20, 0.5, steep) * (1.0 - smoothstep(0.8, 1.2, covered)));
+  thick.x = mix(thick.x, 0.06 * smoothstep(0.0, 0.5, thick.x) * (1.0 + rough) + 0.08 * max(thick.x - 0.35, 0.0) + max(thick.x - 1.4, 0.0), cut);
   // Between cells thickness falls off in straight lines; a border that starts where the noise has it hides them.
   // On a slope it is drawn out into tongues.
   float ragged = mix(rough, 0.9 * stream, 0.8 * smoothstep(0.15, 0.5, steep));

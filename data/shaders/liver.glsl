@@ -48,7 +48,7 @@ vec3 parenchymaColour(Patterns at, vec4 lobule, float seen, vec4 grain, vec3 p) 
   vec3 inside = vec3(0.080, 0.0175, 0.0130) * (1.0 + 0.10 * at.broad.x + 0.10 * at.middle.x);
   // Lobules: each of its own shade, in a darker net, with a dark vein in the middle.
   float off = length(lobule.xyz);
-  inside = mix(inside, vec3(0.106, 0.0260, 0.0185), 0.70 * mix(0.5, smoothstep(-0.5, 0.6, at.fine.x + 0.3 * grain.x) * smoothstep(0.12, 0.30, off), seen));
+  inside = mix(inside, vec3(0.118, 0.030, 0.021), 0.70 * mix(0.5, smoothstep(-0.5, 0.6, at.fine.x + 0.3 * grain.x) * smoothstep(0.12, 0.30, off), seen));
   inside = mix(inside, vec3(0.046, 0.0055, 0.0055), 0.36 * mix(0.25, lobule.w, seen));
   inside = mix(inside, vec3(0.060, 0.0080, 0.0070), 0.6 * seen * (1.0 - smoothstep(0.06, 0.16, off)));
   return vesselBin > 0.0 ? inside : withCurves(inside, at, p);
@@ -131,9 +131,8 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base, vec3 n) {
     t.lost += 0.10 * tan_;
     t.bumps += (0.05 * tan_ + 0.05 * char_) * at.fine.yzw + 0.03 * tan_ * at.middle.yzw;
   }
-  vec2 blood = bloodAt(p, at.middle.x + 0.5 * at.fine.x, n);
+  vec2 blood = bloodAt(p, at.middle.x + 0.5 * at.fine.x, n, t.cut);
   blood *= 1.0 - 0.85 * smoothstep(0.3, 0.9, heat.x + 0.2 * at.middle.x + 0.15 * at.fine.x);  // boiled away
-  blood.x *= 1.0 - 0.60 * t.cut;  // it runs off a cut face, and the grains stand out of it
   if (blood.x + blood.y > 0.0) {
     t.albedo = underBlood(t.albedo, blood);
     float covered = smoothstep(0.06, 0.5, blood.x), clot = smoothstep(0.05, 0.3, blood.y - blood.x);

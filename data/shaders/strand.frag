@@ -68,7 +68,7 @@ vec3 adnexa(vec3 n0, vec3 p, float wide) {
     t.albedo *= 1.0 + 0.20 * middle.x + 0.10 * fine.x;
     t.albedo = mix(t.albedo, vec3(0.020, 0.022, 0.030), smoothstep(0.4, 0.7, share));  // the thread
   }
-  vec2 blood = bloodAt(p, middle.x + 0.5 * fine.x, n0);
+  vec2 blood = bloodAt(p, middle.x + 0.5 * fine.x, n0, 0.0);
   if (blood.x + blood.y > 0.0) {
     t.albedo = underBlood(t.albedo, blood);
     t.wet = mix(t.wet, 1.0, smoothstep(0.06, 0.5, blood.x));
