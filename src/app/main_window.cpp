@@ -51,15 +51,16 @@ LeftTool leftTool(OperatingSession& session, int tool) {
   const LiveState& state = session.state();
   const auto i = std::size_t(tool);
   if (!session.tools().isLeft(tool) || i >= state.lastTouch.size()) return LeftTool::No;
+  // A hook that has slipped off often still leans on the tissue.
+  const ToolModel& model = session.toolModels()[i];
+  const bool holds = !model.hook.empty() || model.kind == "forceps";
   const double touched = state.lastTouch[i];
   const bool touches =
       session.showing() ? state.forces[i] > kFelt : touched >= 0 && state.time - touched < kWaits;
-  if (touches) return LeftTool::Works;
+  if (holds ? state.grips[i] != 0 : touches) return LeftTool::Works;
   // A scenario's instruments wait in the air between their tasks.
   if (session.playing() || session.showing()) return LeftTool::No;
   // Others may work without touching tissue, as suction does.
-  const ToolModel& model = session.toolModels()[i];
-  const bool holds = !model.hook.empty() || model.kind == "forceps";
   return holds ? LeftTool::TouchesNothing : LeftTool::Works;
 }
 

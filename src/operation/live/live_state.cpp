@@ -77,6 +77,7 @@ void noteStep(LiveState& state, const Simulation& simulation, const StepReport& 
   state.peakForces.resize(tools.size());
   state.lastTouch.resize(tools.size(), -1);
   state.touching.resize(tools.size());
+  state.grips.resize(tools.size());
   const std::size_t organs = simulation.organs().size();
   for (std::size_t i = 0; i < tools.size(); ++i) {
     state.poses[i] = tools[i].pose();
@@ -90,6 +91,9 @@ void noteStep(LiveState& state, const Simulation& simulation, const StepReport& 
     for (std::size_t o = 0; o < organs; ++o)
       touches = touches || !report.contacts[i * organs + o].cells.empty();
     if (touches) touch = report.time;
+    state.grips[i] = std::ranges::any_of(simulation.organs(), [&](const OperatedOrgan& organ) {
+      return organ.tissue->gripped(std::int32_t(i)) > 0;
+    });
     state.touching[i] = std::uint8_t(touch >= 0 && report.time - touch < kTouchShows);
     if (!tools[i].inHand) continue;
     const Vec3 tip = tools[i].pose() * tools[i].tool->model.tip;

@@ -78,6 +78,7 @@ struct LiveState {
   std::vector<double> peakForces;    // largest value so far of a frame's mean force, N
   std::vector<double> lastTouch;  // simulated time when the tool last touched tissue, s; -1: never
   std::vector<std::uint8_t> touching;  // 1: the tool touched tissue in the last 0.1 s
+  std::vector<std::uint8_t> grips;     // 1: it holds tissue that moves with it
 };
 
 // To be called after a step: sets counts, volumes, faults, blood and the lists of `state` from the
