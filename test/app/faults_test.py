@@ -140,7 +140,7 @@ class Faults(ScreenTest):
         time.sleep(1)
         self.screen.do("mousedown", 1)
         time.sleep(0.5)
-        for x in range(500, 240, -10):
+        for x in range(500, 20, -10):  # much farther than the tissue follows
             self.screen.move(x, 420)
             time.sleep(0.05)
         self.screen.key("f")
