@@ -121,7 +121,7 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base, vec3 n) {
     float rough = 0.6 * at.middle.x + 0.5 * at.fine.x;
     float tan_ = smoothstep(0.12, 0.70, heat.x + 0.28 * rough), edge = smoothstep(0.0, 0.30, heat.x + 0.10 * rough) * (1.0 - tan_);
     float crust = smoothstep(0.55, 0.95, heat.x) * smoothstep(0.05, 0.45, at.middle.x - 0.6 * at.fine.x);
-    float brown = smoothstep(0.02, 0.30, heat.y * (1.0 + 0.8 * rough)), char_ = smoothstep(0.22, 0.50, heat.y * (1.0 + 0.5 * rough));
+    float brown = smoothstep(0.02, 0.30, heat.y * (1.0 + 0.8 * rough)), char_ = smoothstep(0.45, 0.75, heat.y * (1.0 + 0.3 * rough));
     t.albedo = mix(t.albedo, vec3(0.090, 0.046, 0.033), 0.75 * edge);
     t.albedo = mix(t.albedo, vec3(0.086, 0.071, 0.057) * (1.0 + 0.30 * rough), 0.96 * tan_);
     t.albedo = mix(t.albedo, vec3(0.048, 0.026, 0.016) * (1.0 + 0.4 * at.fine.x), 0.85 * crust);
