@@ -27,6 +27,12 @@ Scenario liver(const std::string& organ, const std::string& tissue = "elastic") 
 const std::string kVessels = "vessels = \"built-in\"\n";
 const std::string kTurned = kVessels + "rotation = { axis = [0.3, 0.2, -0.9], degrees = 140 }\n";
 
+Simulation simulated(Scenario scenario) {
+  Simulation simulation = makeSimulation(scenario, readPlainMesh);
+  simulation.keepLook();
+  return simulation;
+}
+
 // Distance from the organ's present surface to the nearest of its vertices, m.
 double offSurface(const Simulation& simulation, const Vec3f& p) {
   float least = 1;
@@ -62,9 +68,7 @@ void step(Simulation& simulation, int frames, const std::vector<TissueEdit>& edi
 
 TEST_CASE("adnexa sit on the built-in liver however it lies, and follow it as it moves") {
   for (const std::string& organ : {kVessels, kTurned, std::string()}) {
-    Scenario scenario = liver(organ);
-    Simulation simulation = makeSimulation(scenario, readPlainMesh);
-    simulation.keepLook();
+    Simulation simulation = simulated(liver(organ));
     Adnexa adnexa;
     const auto atRest = adnexa.follow(simulation);
     REQUIRE(atRest);
@@ -84,9 +88,7 @@ TEST_CASE("adnexa sit on the built-in liver however it lies, and follow it as it
 }
 
 TEST_CASE("adnexa whose tissue is removed are no longer drawn") {
-  Scenario scenario = liver(kVessels, "still");
-  Simulation simulation = makeSimulation(scenario, readPlainMesh);
-  simulation.keepLook();
+  Simulation simulation = simulated(liver(kVessels, "still"));
   Adnexa adnexa;
   const auto before = adnexa.follow(simulation);
   REQUIRE(before);
@@ -112,9 +114,7 @@ TEST_CASE("adnexa whose tissue is removed are no longer drawn") {
 TEST_CASE("a stroke through the liver cuts the ligament that crosses its way, and nothing else") {
   constexpr std::size_t kAcross = 6;  // points from the liver to the edge of the fold
   for (const std::string& organ : {kVessels, kTurned}) {
-    Scenario scenario = liver(organ);
-    Simulation simulation = makeSimulation(scenario, readPlainMesh);
-    simulation.keepLook();
+    Simulation simulation = simulated(liver(organ));
     Adnexa adnexa;
     const auto before = adnexa.follow(simulation);
     REQUIRE(before);
