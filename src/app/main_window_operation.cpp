@@ -226,7 +226,9 @@ bool MainWindow::begin(OrganLoader::Result result) {
   QString notes;
   for (const std::string& note : result.notes) {
     const QString text = translated(note, kLongestSentence);
-    notes += text.left(1).toUpper() + text.mid(1) + ".\n";
+    const bool file = text.section(' ', 0, 0).contains('.');  // its name stays as it is
+    notes +=
+        (file ? text : text.left(1).toUpper() + text.mid(1)) + (text.endsWith('.') ? "\n" : ".\n");
   }
   operation_->begin(session_->scenario(), notes.trimmed(), tools);
   beginExercise();
